@@ -1,0 +1,33 @@
+/// \file
+/// What can be chosen about a match.
+#pragma once
+
+#include <cstdint>
+
+#include "map_matcher/parameters/parameter.hpp"
+
+namespace map_matcher {
+
+/// Options of one branch-and-bound search (report section 3.1).
+struct StageOptions {
+  double rotation_downsampling = 1.0;  ///< Cells that the farthest cell may move in two rotation steps, eq. 4.2.
+  double acceptance_ratio = 0.5;       ///< Smallest share of matched session cells that is an answer.
+};
+
+/// Options of the two-stage search (report sections 3.1 and 3.2). Their ranges stand in parametersOf().
+struct MatchOptions {
+  double coarse_resolution =
+      0.2;  ///< [m] The coarse stage runs at the halving of the map's resolution nearest to this.
+  StageOptions coarse{2.0, 0.5};
+  StageOptions fine{1.0, 0.1};
+  int hits_sample_threshold = 0;  ///< [cells] Session cells looked at in each stage, chosen reproducibly; 0 = all.
+  int min_session_cells = 100;    ///< [cells] Session maps with fewer occupied cells are not matched.
+  int occupied_threshold = 65;    ///< [percent] Occupancy from which a cell is a wall.
+  double session_map_cell_offset = 0.0;    ///< [cells] 0.5 for maps of slam_gmapping, which draws them half a cell off.
+  double reference_map_cell_offset = 0.0;  ///< [cells] The same for the reference map.
+};
+
+/// The parameters that fill `options`, by the names they have in config/map_matcher.yaml.
+ParameterList parametersOf(MatchOptions& options);
+
+}  // namespace map_matcher

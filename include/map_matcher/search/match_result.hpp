@@ -1,0 +1,59 @@
+/// \file
+/// The answer of a match: a pose, or the reason why there is none, and what it took.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "map_matcher/grid/rigid2.hpp"
+
+namespace map_matcher {
+
+/// Outcome of a match.
+enum class MatchStatus {
+  kMatched,               ///< There is an acceptable pose.
+  kBelowAcceptanceRatio,  ///< No pose reaches the acceptance ratio of the coarse stage.
+  kNoReference,           ///< No reference map was set.
+  kEmptyReference,        ///< The reference map has no occupied cell.
+  kTooFewSessionCells,    ///< The session map has fewer than min_session_cells occupied cells.
+  kSessionTooLarge,       ///< The session map is too large for the search's arithmetic.
+  kStopped,               ///< The stop token was set before there was an answer.
+};
+
+/// The status in snake_case, as JSON output and messages have it ("matched", "below_acceptance_ratio", ...).
+const char* toString(MatchStatus status);
+
+/// What one branch-and-bound stage did. The three times are those of the report's figure 9.
+struct StageReport {
+  std::string name;                      ///< "coarse" or "fine".
+  bool answered = false;                 ///< Whether a pose reached the stage's acceptance ratio.
+  double resolution = 0.0;               ///< Edge length of the stage's cells [m].
+  int rotations = 0;                     ///< Rotations of the session map that were searched, eq. 4.3.
+  int matched_cells = 0;                 ///< Session cells of the stage on walls at its best pose [cells].
+  int total_cells = 0;                   ///< Session cells of the stage [cells].
+  double ratio = 0.0;                    ///< matched_cells / total_cells of the stage's best pose.
+  std::int64_t nodes_scored = 0;         ///< Nodes whose score was computed.
+  std::int64_t nodes_expanded = 0;       ///< Nodes whose children were made.
+  double initialization_time = 0.0;      ///< Preparing the session cells and their rotations [s].
+  double rotation_expansion_time = 0.0;  ///< Scoring the initial node list [s].
+  double depth_first_search_time = 0.0;  ///< Algorithm 1 from line 11 on [s].
+};
+
+/// The answer of MapMatcher::match.
+struct MatchResult {
+  MatchStatus status = MatchStatus::kNoReference;
+  std::string reason;               ///< One sentence with the figures behind the status.
+  Rigid2 T_reference_session;       ///< p_reference = T_reference_session * p_session; valid when kMatched.
+  bool refined = false;             ///< Whether the pose is the fine stage's; false: the coarse answer stands.
+  int matched_cells = 0;            ///< Session cells on walls of the reference at the pose [cells].
+  int total_cells = 0;              ///< Session cells looked at [cells].
+  double ratio = 0.0;               ///< matched_cells / total_cells.
+  std::vector<StageReport> stages;  ///< Coarse, then fine; empty when no stage ran.
+  double search_time = 0.0;         ///< The whole match without reference_time [s].
+  double reference_time = 0.0;      ///< Building what depends only on the reference map [s].
+
+  bool matched() const { return status == MatchStatus::kMatched; }
+};
+
+}  // namespace map_matcher

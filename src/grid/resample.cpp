@@ -1,0 +1,62 @@
+#include "map_matcher/grid/resample.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace map_matcher {
+namespace {
+
+/// Old cells [first, last) that a new cell overlaps along one axis.
+struct Span {
+  int first;
+  int last;
+};
+
+/// Edges that agree within this share of a cell are the same edge: 0.1 / 0.05 must not touch a third cell.
+constexpr double kEdgeTolerance = 1e-6;
+
+int newSize(int old_size, double ratio) {
+  return std::max(1, static_cast<int>(std::ceil(old_size / ratio - kEdgeTolerance)));
+}
+
+std::vector<Span> overlaps(int old_size, int new_size, double ratio) {
+  std::vector<Span> spans;
+  spans.reserve(static_cast<std::size_t>(new_size));
+  for (int i = 0; i < new_size; ++i) {
+    const int first = static_cast<int>(std::floor(i * ratio + kEdgeTolerance));
+    const int last = static_cast<int>(std::ceil((i + 1) * ratio - kEdgeTolerance));
+    spans.push_back({std::min(first, old_size - 1), std::clamp(last, first + 1, old_size)});
+  }
+  return spans;
+}
+
+}  // namespace
+
+OccupancyGrid resample(const OccupancyGrid& grid, double resolution) {
+  GridGeometry geometry = grid.geometry();
+  geometry.resolution = resolution;
+  geometry.validate();
+  const double ratio = resolution / grid.resolution();
+  geometry.width = newSize(grid.width(), ratio);
+  geometry.height = newSize(grid.height(), ratio);
+
+  const std::vector<Span> columns = overlaps(grid.width(), geometry.width, ratio);
+  const std::vector<Span> rows = overlaps(grid.height(), geometry.height, ratio);
+  OccupancyGrid result(geometry);
+  for (int y = 0; y < geometry.height; ++y) {
+    for (int old_y = rows[static_cast<std::size_t>(y)].first; old_y < rows[static_cast<std::size_t>(y)].last; ++old_y) {
+      for (int x = 0; x < geometry.width; ++x) {
+        const Span& span = columns[static_cast<std::size_t>(x)];
+        for (int old_x = span.first; old_x < span.last; ++old_x) {
+          result.at(x, y) = std::max(result.at(x, y), grid.at(old_x, old_y));
+        }
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace map_matcher
