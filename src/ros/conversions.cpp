@@ -1,0 +1,118 @@
+#include "map_matcher/ros/conversions.hpp"
+
+#include <tf2/LinearMath/Matrix3x3.h>
+#include <tf2/LinearMath/Quaternion.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <sstream>
+
+namespace map_matcher {
+namespace {
+
+constexpr double kQuaternionTolerance = 1e-3;  // deviation of the norm from one
+constexpr double kTiltTolerance = 1e-3;        // roll and pitch [rad]
+
+template <typename Position>
+Rigid2 planar(const Position& position, const geometry_msgs::Quaternion& rotation, const std::string& name) {
+  if (!std::isfinite(position.x) || !std::isfinite(position.y) || !std::isfinite(position.z)) {
+    std::ostringstream text;
+    text << name << " has position (" << position.x << ", " << position.y << ", " << position.z
+         << "), expected finite numbers";
+    throw MessageError(text.str());
+  }
+  const tf2::Quaternion quaternion(rotation.x, rotation.y, rotation.z, rotation.w);
+  double roll = 0.0;
+  double pitch = 0.0;
+  double yaw = 0.0;
+  const double norm = quaternion.length();
+  if (std::isfinite(norm) && std::abs(norm - 1.0) <= kQuaternionTolerance) {
+    tf2::Matrix3x3(quaternion.normalized()).getRPY(roll, pitch, yaw);
+  } else {
+    std::ostringstream text;
+    text << name << " has quaternion (" << rotation.x << ", " << rotation.y << ", " << rotation.z << ", " << rotation.w
+         << ") of norm " << norm << ", expected norm 1";
+    throw MessageError(text.str());
+  }
+  if (std::abs(roll) > kTiltTolerance || std::abs(pitch) > kTiltTolerance) {
+    std::ostringstream text;
+    text << name << " is tilted by roll " << roll << " and pitch " << pitch << " rad, expected a rotation about z only";
+    throw MessageError(text.str());
+  }
+  return {position.x, position.y, normalizeAngle(yaw)};
+}
+
+geometry_msgs::Quaternion quaternionMessage(double yaw) {
+  geometry_msgs::Quaternion message;
+  message.z = std::sin(0.5 * yaw);
+  message.w = std::cos(0.5 * yaw);
+  return message;
+}
+
+/// The shortest decimal number that a 32-bit float stands for.
+double decimalOf(float value) {
+  std::ostringstream text;
+  text.precision(std::numeric_limits<float>::digits10 + 1);
+  text << value;
+  return std::strtod(text.str().c_str(), nullptr);
+}
+
+}  // namespace
+
+Rigid2 fromMessage(const geometry_msgs::Pose& pose, const std::string& name) {
+  return planar(pose.position, pose.orientation, name);
+}
+
+Rigid2 fromMessage(const geometry_msgs::Transform& transform, const std::string& name) {
+  return planar(transform.translation, transform.rotation, name);
+}
+
+geometry_msgs::Pose toPoseMessage(const Rigid2& pose) {
+  geometry_msgs::Pose message;
+  message.position.x = pose.x;
+  message.position.y = pose.y;
+  message.orientation = quaternionMessage(pose.yaw);
+  return message;
+}
+
+geometry_msgs::Transform toTransformMessage(const Rigid2& transform) {
+  geometry_msgs::Transform message;
+  message.translation.x = transform.x;
+  message.translation.y = transform.y;
+  message.rotation = quaternionMessage(transform.yaw);
+  return message;
+}
+
+OccupancyGrid fromMessage(const nav_msgs::OccupancyGrid& message) {
+  constexpr auto kMaxSize = static_cast<std::uint32_t>(std::numeric_limits<int>::max());
+  if (message.info.width > kMaxSize || message.info.height > kMaxSize) {
+    throw MessageError("the map is " + std::to_string(message.info.width) + " x " +
+                       std::to_string(message.info.height) + " cells, expected at most 2147483647 a side");
+  }
+  GridGeometry geometry;
+  geometry.resolution = decimalOf(message.info.resolution);
+  geometry.width = static_cast<int>(message.info.width);
+  geometry.height = static_cast<int>(message.info.height);
+  geometry.T_map_grid = fromMessage(message.info.origin, "the map's origin");
+  try {
+    return OccupancyGrid(geometry, message.data);
+  } catch (const std::invalid_argument& error) {
+    throw MessageError(error.what());
+  }
+}
+
+nav_msgs::OccupancyGrid toMessage(const OccupancyGrid& grid, const std::string& frame_id, const ros::Time& stamp) {
+  nav_msgs::OccupancyGrid message;
+  message.header.frame_id = frame_id;
+  message.header.stamp = stamp;
+  message.info.map_load_time = stamp;
+  message.info.resolution = static_cast<float>(grid.resolution());
+  message.info.width = static_cast<std::uint32_t>(grid.width());
+  message.info.height = static_cast<std::uint32_t>(grid.height());
+  message.info.origin = toPoseMessage(grid.geometry().T_map_grid);
+  message.data = grid.values();
+  return message;
+}
+
+}  // namespace map_matcher
