@@ -29,11 +29,11 @@ TEST(SessionCells, AreCentresAroundTheMiddleOfTheirBox) {
   EXPECT_EQ(sorted(session), expected);
 }
 
-TEST(SessionCells, ThatFallIntoTheSameLargerCellBecomeOneAtItsMiddle) {
+TEST(SessionCells, ThatFallIntoTheSameLargerCellBecomeOneAtTheirMean) {
   const SessionCells session = prepareSessionCells({{0, 0}, {1, 1}, {3, 0}, {3, 1}}, 0.05, 0.1, CellMerging::kMerge, 0);
 
   EXPECT_TRUE(session.centre.isApprox(Eigen::Vector2d(0.1, 0.05)));
-  const std::vector<std::pair<double, double>> expected{{-0.5, 0.0}, {0.5, 0.0}};
+  const std::vector<std::pair<double, double>> expected{{-0.5, 0.0}, {0.75, 0.0}};
   EXPECT_EQ(sorted(session), expected);
 }
 
