@@ -42,7 +42,7 @@ TEST(FineWindow, HoldsTheTruePoseOfEveryCellThatTheCoarseStageMatched) {
     const double half_diagonal = 100.0;  // in coarse cells: 25
     const double step = kDownsampling / (2.0 * half_diagonal / kCellsPerCoarseCell);
     const Eigen::Vector2d p(test::randomReal(random, -70.0, 70.0), test::randomReal(random, -70.0, 70.0));
-    const Eigen::Vector2d middle =
+    const Eigen::Vector2d point =
         p + Eigen::Vector2d(test::randomReal(random, -2.0, 2.0), test::randomReal(random, -2.0, 2.0));
     const double true_yaw = test::randomReal(random, -3.0, 3.0);
     const double coarse_yaw = true_yaw + test::randomReal(random, -step, step);
