@@ -5,6 +5,7 @@
 #include <mrpt/slam/CICP.h>
 
 #include <cmath>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -14,9 +15,9 @@
 namespace map_matcher {
 namespace {
 
-constexpr int kMinHits = 10;               // fewer points do not tell a pose
-constexpr double kMinPointSpacing = 0.02;  // [m] of successive points of a scan; nearer ones tell nothing new
-constexpr double kThresholdDecay = 0.8;    // of the correspondence distance, at each convergence
+constexpr int kMinHits = 10;             // fewer points do not tell a pose
+constexpr double kPointSpacing = 0.03;   // [m] of the points that scans are matched to
+constexpr double kThresholdDecay = 0.8;  // of the correspondence distance, at each convergence
 
 std::string joined(const std::vector<std::string>& lines) {
   std::string text;
@@ -40,17 +41,6 @@ mrpt::slam::CICP::TConfigParams icpParameters(const IcpOptions& options) {
   return parameters;
 }
 
-/// Appends the ends of the beams that hit to a map of points, thinned to kMinPointSpacing.
-void appendHits(const BeamFan& fan, mrpt::maps::CSimplePointsMap& points) {
-  std::optional<Eigen::Vector2d> previous;
-  for (const Beam& beam : fan.beams) {
-    if (beam.hit && (!previous || (beam.end - *previous).norm() > kMinPointSpacing)) {
-      points.insertPoint(static_cast<float>(beam.end.x()), static_cast<float>(beam.end.y()));
-      previous = beam.end;
-    }
-  }
-}
-
 /// Where the robot was when something was last done, and whether it has moved since.
 struct Milestone {
   Rigid2 pose;
@@ -61,6 +51,45 @@ struct Milestone {
   }
 };
 
+void insertPoint(const Eigen::Vector2d& point, mrpt::maps::CSimplePointsMap& points) {
+  points.insertPoint(static_cast<float>(point.x()), static_cast<float>(point.y()));
+}
+
+/// Where the beams of a scan ended, all of them.
+mrpt::maps::CSimplePointsMap hitsOf(const BeamFan& fan) {
+  mrpt::maps::CSimplePointsMap points;
+  for (const Beam& beam : fan.beams) {
+    if (beam.hit) {
+      insertPoint(beam.end, points);
+    }
+  }
+  return points;
+}
+
+/// Where beams ended, at most one point for each square of kPointSpacing: the points grow with what was seen and not
+/// with how often, so that a mapper that runs for long stays fast.
+class ThinnedPoints {
+ public:
+  void add(const BeamFan& fan) {
+    for (const Beam& beam : fan.beams) {
+      if (beam.hit && taken_.insert(squareOf(beam.end)).second) {
+        insertPoint(beam.end, points_);
+      }
+    }
+  }
+
+  const mrpt::maps::CSimplePointsMap& points() const { return points_; }
+
+ private:
+  static std::pair<int, int> squareOf(const Eigen::Vector2d& point) {
+    return {static_cast<int>(std::floor(point.x() / kPointSpacing)),
+            static_cast<int>(std::floor(point.y() / kPointSpacing))};
+  }
+
+  std::set<std::pair<int, int>> taken_;
+  mrpt::maps::CSimplePointsMap points_;
+};
+
 /// The points and the grid of a session. They begin with its first scan. The points lie in the start frame, the base
 /// frame of the first scan: MRPT keeps them in 32 bits, and odometry may be far from its origin.
 struct Session {
@@ -69,7 +98,7 @@ struct Session {
         grid(options.delta, {{options.xmin, options.ymin}, {options.xmax, options.ymax}}) {}
 
   Rigid2 T_session_start;
-  mrpt::maps::CSimplePointsMap points;
+  ThinnedPoints points;
   HitCountingGrid grid;
   Milestone last_match{T_session_start};
   Milestone last_drawing{T_session_start};
@@ -149,13 +178,13 @@ class SessionMapper::Impl {
 
   /// Aligns the scan with the points of the session, and corrects the odometry when they fit.
   void match(const BeamFan& fan, ScanReport& report) {
-    mrpt::maps::CSimplePointsMap seen;
-    appendHits(fan, seen);
+    const mrpt::maps::CSimplePointsMap seen = hitsOf(fan);
     const Rigid2 guess = session_->T_session_start.inverse() * T_session_base();
     mrpt::slam::CICP icp(icpParameters(options_.icp));
     mrpt::slam::CICP::TReturnInfo info;
     const auto result =
-        icp.Align(&session_->points, &seen, mrpt::poses::CPose2D(guess.x, guess.y, guess.yaw), info)->getMeanVal();
+        icp.Align(&session_->points.points(), &seen, mrpt::poses::CPose2D(guess.x, guess.y, guess.yaw), info)
+            ->getMeanVal();
     report.goodness = info.goodness;
     if (info.goodness > options_.icp.min_goodness) {
       const Rigid2 T_start_base{result.x(), result.y(), normalizeAngle(result.phi())};
@@ -170,7 +199,7 @@ class SessionMapper::Impl {
       report.reason = "the map would take more than " + std::to_string(HitCountingGrid::kMaxCells) + " cells";
       return;
     }
-    appendHits(transform(session_->T_session_start.inverse() * pose, fan), session_->points);
+    session_->points.add(transform(session_->T_session_start.inverse() * pose, fan));
     session_->last_match.pose = pose;
     session_->last_drawing.pose = pose;
     report.outcome = ScanOutcome::kDrawn;

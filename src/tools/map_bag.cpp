@@ -1,9 +1,12 @@
 // Draws the session map of a bag without a roscore.
 
 #include <CLI/CLI.hpp>
+#include <fstream>
+#include <iomanip>
 #include <iostream>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "map_matcher/grid/map_file.hpp"
 #include "map_matcher/grid/occupied_cells.hpp"
@@ -23,6 +26,7 @@ constexpr int kBadInput = 2;
 struct Arguments {
   BagMappingRequest request;
   std::string output = "session.yaml";
+  std::string trajectory;
   std::string config;
 };
 
@@ -46,6 +50,17 @@ map_matcher::SessionMappingOptions readOptions(const std::string& config) {
   return options.mapping;
 }
 
+void writeTrajectory(const std::string& path, const std::vector<map_matcher::StampedPose>& trajectory) {
+  std::ofstream file(path);
+  file << "time,x,y,yaw\n" << std::setprecision(15);
+  for (const auto& [time, pose] : trajectory) {
+    file << time << ',' << pose.x << ',' << pose.y << ',' << pose.yaw << '\n';
+  }
+  if (!file.flush()) {
+    throw std::runtime_error("trajectory file '" + path + "' cannot be written");
+  }
+}
+
 void printSummary(const BagMappingResult& result, const SessionSnapshot& last, const std::string& output) {
   std::cout << result.scan_topic << ": " << result.scans << " scans, " << result.scans_drawn << " drawn, "
             << result.scans_not_fitting << " did not fit, " << result.scans_without_tf << " without tf, "
@@ -64,6 +79,9 @@ int run(Arguments arguments) {
   const BagMappingResult result =
       mapBag(arguments.request, [&last](const SessionSnapshot& snapshot) { last = snapshot; });
   map_matcher::saveMap(last->map, arguments.output);
+  if (!arguments.trajectory.empty()) {
+    writeTrajectory(arguments.trajectory, result.path);
+  }
   printSummary(result, *last, arguments.output);
   return kDrawn;
 }
@@ -74,6 +92,8 @@ void describe(CLI::App& app, Arguments& arguments) {
   app.add_option("--from", arguments.request.from, "leave out what comes before [s since the bag begins]");
   app.add_option("--until", arguments.request.until, "leave out what comes after [s since the bag begins]");
   app.add_option("--output", arguments.output, "YAML file of the map; its image goes beside it")->capture_default_str();
+  app.add_option("--trajectory", arguments.trajectory,
+                 "write the poses of the robot in the session frame into this CSV file (s, m, m, rad)");
   app.add_option("--config", arguments.config, "parameters, as in config/session_mapper.yaml");
   app.footer("Exit status: 0 drawn, 2 bad input.");
 }
