@@ -26,8 +26,8 @@ class MapMatcher {
 
   const MatchOptions& options() const { return options_; }
 
-  /// Takes a reference map of any resolution and origin. What the search needs of it is built at the first match, and
-  /// again only when a session map coarser than before arrives.
+  /// Takes a reference map of any resolution and origin and builds what the search needs of it; that is built again
+  /// only when session maps coarser than the reference arrive.
   void setReference(OccupancyGrid reference);
 
   bool hasReference() const { return reference_ != nullptr; }
@@ -40,6 +40,9 @@ class MapMatcher {
   MatchOptions options_;
   std::shared_ptr<const OccupancyGrid> reference_;
   std::shared_ptr<const SearchReference> search_reference_;
+  double reference_time_ = 0.0;  // of building search_reference_ [s]
+
+  void buildSearchReference(double resolution);
 };
 
 }  // namespace map_matcher

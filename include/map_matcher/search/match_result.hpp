@@ -51,7 +51,7 @@ struct MatchResult {
   double ratio = 0.0;               ///< matched_cells / total_cells.
   std::vector<StageReport> stages;  ///< Coarse, then fine; empty when no stage ran.
   double search_time = 0.0;         ///< The whole match without reference_time [s].
-  double reference_time = 0.0;      ///< Building what depends only on the reference map [s].
+  double reference_time = 0.0;      ///< Building what depends only on the reference map, done once for each [s].
 
   bool matched() const { return status == MatchStatus::kMatched; }
 };

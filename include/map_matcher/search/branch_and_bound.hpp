@@ -1,0 +1,47 @@
+/// \file
+/// Branch and bound, depth first (report algorithm 1).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "map_matcher/search/precomputed_grids.hpp"
+#include "map_matcher/search/rotations.hpp"
+#include "map_matcher/search/search_window.hpp"
+#include "map_matcher/search/stop_token.hpp"
+
+namespace map_matcher {
+
+/// One search: which rotation and whole-cell translation put the most session cells on walls.
+struct SearchProblem {
+  const PrecomputedGrids& reference;
+  std::vector<RotatedCells> rotations;  ///< The session cells under each rotation; all of the same, non-zero number.
+  std::vector<SearchWindow> windows;    ///< Translations to look at under each rotation.
+  std::vector<std::int32_t> order;      ///< Rank of each rotation in the initial node list; empty: by score alone.
+  std::int32_t min_count = 1;           ///< Fewest matched cells that are an answer: the initial threshold.
+  int root_level = 0;                   ///< Level of the initial nodes, at most the reference's top level.
+};
+
+/// A pose of the search.
+struct SearchPose {
+  int rotation = 0;        ///< Index into SearchProblem::rotations.
+  Cell translation;        ///< [cells of the stage]
+  std::int32_t count = 0;  ///< Matched session cells.
+};
+
+/// What a search found and what it took.
+struct SearchOutcome {
+  std::optional<SearchPose> best;  ///< Nothing when no pose reaches min_count.
+  bool stopped = false;            ///< Whether the stop token ended the search; `best` is then the best so far.
+  std::int64_t nodes_scored = 0;
+  std::int64_t nodes_expanded = 0;
+  double rotation_expansion_time = 0.0;  ///< Lines 4 to 10: scoring the initial node list [s].
+  double depth_first_search_time = 0.0;  ///< From line 11 on [s].
+};
+
+/// Finds the pose with the most matched cells. Among equal ones the first in the order of the search wins, which is the
+/// same on every run.
+SearchOutcome branchAndBound(const SearchProblem& problem, const StopToken& stop = {});
+
+}  // namespace map_matcher

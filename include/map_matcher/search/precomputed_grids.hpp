@@ -1,0 +1,89 @@
+/// \file
+/// The reference map, pooled at each level of the search (report section 3.1, figure 6; algorithm 1 line 2).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "map_matcher/grid/grid_geometry.hpp"
+
+namespace map_matcher {
+
+/// Rows that the scoring kernel reads at once.
+constexpr int kTileRows = 4;
+/// Columns that the scoring kernel reads at once.
+constexpr int kTileColumns = 64;
+
+/// One level of the pooled reference map. The value at (x, y) is 1 when a wall lies in the window
+/// [x, x + 2^level) x [y, y + 2^level) and 0 otherwise: a sliding window at full resolution, so that a node's score is
+/// a true upper bound for all translations it stands for.
+///
+/// The values are stored split into 2^level x 2^level phases. A phase holds every 2^level-th column of every 2^level-th
+/// row, so that translations which are neighbours on the stride of the level are neighbours in memory and a session
+/// cell adds a row of bytes to a row of counters. Around each phase lies a border of zeros as wide as a tile; positions
+/// beyond it are clamped into it, so that a tile needs no range check.
+class PooledLevel {
+ public:
+  /// `pooled` holds the values for x in [-margin, width + margin), y alike, row-major.
+  PooledLevel(int level, int width, int height, int margin, const std::vector<std::uint8_t>& pooled);
+
+  int level() const { return level_; }
+  int stride() const { return 1 << level_; }  ///< Translations a node of this level stands for, along an axis [cells].
+
+  /// Value at a position [cells], which may lie outside the map.
+  std::uint8_t at(int x, int y) const { return values_[address(x, y)]; }
+
+  /// Where the tile begins whose first value is that of a position. The following kTileColumns - 1 bytes are the values
+  /// one stride further along x each; `rowStride()` bytes on is the next row, one stride along y, kTileRows in all.
+  std::uint32_t address(int x, int y) const {
+    const int mask = (1 << level_) - 1;
+    const int i = clampTo(x >> level_, -kTileColumns - 1, columns_);
+    const int j = clampTo(y >> level_, -kTileRows - 1, rows_);
+    const int phase = ((y & mask) << level_) + (x & mask);
+    return static_cast<std::uint32_t>(origin_ + phase * phase_size_ + j * row_stride_ + i);
+  }
+
+  const std::uint8_t* data() const { return values_.data(); }
+  std::ptrdiff_t rowStride() const { return row_stride_; }  ///< [bytes]
+  std::size_t bytes() const { return values_.size(); }      ///< Memory taken [bytes].
+
+ private:
+  static int clampTo(int value, int low, int high) { return value < low ? low : (value > high ? high : value); }
+
+  int level_;
+  int columns_;     // of a phase, without its border
+  int rows_;        // of a phase, without its border
+  int row_stride_;  // [bytes]
+  int phase_size_;  // [bytes]
+  int origin_;      // address of (0, 0) in the first phase
+  std::vector<std::uint8_t> values_;
+};
+
+/// All levels of a reference map of one resolution. Immutable, hence thread-safe.
+class PrecomputedGrids {
+ public:
+  /// Pools the walls of a grid of width x height cells for the levels 0 to `top_level`. Walls outside the grid are
+  /// ignored. Throws std::invalid_argument for a size below 1 x 1, a level outside [0, 15], or a map whose levels would
+  /// take more than 2 GiB each.
+  PrecomputedGrids(int width, int height, const std::vector<Cell>& walls, int top_level);
+
+  int width() const { return width_; }    ///< [cells]
+  int height() const { return height_; }  ///< [cells]
+  int topLevel() const { return static_cast<int>(levels_.size()) - 1; }
+  const PooledLevel& level(int level) const { return levels_[static_cast<std::size_t>(level)]; }
+
+  /// Smallest box of cells that holds all walls; without walls it is empty: last < first.
+  const Cell& firstWall() const { return first_wall_; }  ///< Lower left cell of the box.
+  const Cell& lastWall() const { return last_wall_; }    ///< Upper right cell of the box.
+  std::size_t bytes() const;                             ///< Memory taken [bytes].
+
+ private:
+  int width_;
+  int height_;
+  Cell first_wall_;
+  Cell last_wall_;
+  std::vector<PooledLevel> levels_;
+};
+
+}  // namespace map_matcher

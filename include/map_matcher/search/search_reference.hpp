@@ -1,0 +1,44 @@
+/// \file
+/// What depends only on the reference map, built once for each.
+#pragma once
+
+#include "map_matcher/grid/occupancy_grid.hpp"
+#include "map_matcher/search/match_options.hpp"
+#include "map_matcher/search/precomputed_grids.hpp"
+
+namespace map_matcher {
+
+/// The reference map at the resolutions of both stages. Immutable, hence thread-safe.
+class SearchReference {
+ public:
+  /// Levels of the initial nodes. The report starts at H of eq. 4.1, where a node is as wide as the session map; nodes
+  /// so wide match nearly every cell and none is pruned, so that starting here gives the same answer sooner.
+  static constexpr int kCoarseRootLevel = 3;
+  static constexpr int kFineRootLevel = 2;
+
+  /// Pools `reference` at `resolution` [m] (its own, or a coarser one when the session map is coarser) for the fine
+  /// stage, and at the halving of it that is nearest to options.coarse_resolution for the coarse stage.
+  SearchReference(const OccupancyGrid& reference, double resolution, const MatchOptions& options);
+
+  double resolution() const { return fine_resolution_; }          ///< Of the fine stage [m].
+  double coarseResolution() const { return coarse_resolution_; }  ///< Of the coarse stage [m].
+  const PrecomputedGrids& fine() const { return fine_; }
+  const PrecomputedGrids& coarse() const { return coarse_; }
+  bool hasWalls() const { return fine_.firstWall().x <= fine_.lastWall().x; }
+
+  /// Pose of the searched grids' corner in the reference map frame: the map's origin, with reference_map_cell_offset.
+  const Rigid2& T_reference_grid() const { return T_reference_grid_; }
+
+ private:
+  double fine_resolution_;
+  double coarse_resolution_;
+  Rigid2 T_reference_grid_;
+  PrecomputedGrids fine_;
+  PrecomputedGrids coarse_;
+};
+
+/// The halving resolution * 2^k, k >= 0, nearest to `coarse_resolution` on a logarithmic scale [m]: 0.16 m or 0.2 m for
+/// maps of 2 cm or 5 cm and a coarse resolution of 0.2 m.
+double nearestHalving(double resolution, double coarse_resolution);
+
+}  // namespace map_matcher

@@ -1,0 +1,27 @@
+/// \file
+/// Which translations a search looks at.
+#pragma once
+
+#include <optional>
+
+#include "map_matcher/search/precomputed_grids.hpp"
+#include "map_matcher/search/rotations.hpp"
+
+namespace map_matcher {
+
+/// Inclusive box of translations [cells of the stage]; empty when a `last` lies below its `first`.
+struct SearchWindow {
+  Cell first;
+  Cell last;
+
+  bool empty() const { return last.x < first.x || last.y < first.y; }
+};
+
+/// Translations that both windows hold.
+SearchWindow intersection(const SearchWindow& a, const SearchWindow& b);
+
+/// Smallest window that holds every translation at which at least `min_matches` of the rotated cells lie within the
+/// bounding box of the reference's walls. No translation outside it can match as many, so nothing is lost.
+SearchWindow reachableWindow(const PrecomputedGrids& reference, const RotatedCells& cells, int min_matches);
+
+}  // namespace map_matcher

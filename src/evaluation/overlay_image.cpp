@@ -1,0 +1,116 @@
+#include "map_matcher/evaluation/overlay_image.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+#include <stdexcept>
+#include <vector>
+
+#include "map_matcher/grid/occupied_cells.hpp"
+#include "map_matcher/search/matched_cells.hpp"
+
+namespace map_matcher {
+namespace {
+
+constexpr double kMargin = 1.0;                  // around walls and cells [m]
+constexpr int kWantedPixels = 1000;              // along the longer side, at least
+const cv::Scalar kMatchedColour(0, 0, 230);      // BGR: red
+const cv::Scalar kUnmatchedColour(230, 120, 0);  // blue
+const cv::Vec3b kWallColour(60, 60, 60);
+const cv::Vec3b kFreeColour(255, 255, 255);
+const cv::Vec3b kUnknownColour(215, 215, 215);
+
+/// Cells of the reference grid that the picture shows, with the size of a cell in pixels.
+struct View {
+  cv::Rect cells;
+  int scale;
+};
+
+using Points = std::vector<Eigen::Vector2d>;
+
+/// Points of the session map frame in cells of the reference grid.
+Points toReferenceCells(const OccupancyGrid& reference, const Rigid2& T_reference_session, const Points& points) {
+  const Rigid2 T_grid_session = reference.geometry().T_map_grid.inverse() * T_reference_session;
+  Points cells;
+  for (const Eigen::Vector2d& p : points) {
+    cells.emplace_back(T_grid_session * p / reference.resolution());
+  }
+  return cells;
+}
+
+View chooseView(const OccupancyGrid& reference, const std::vector<Points>& overlays, std::int8_t occupied_threshold) {
+  std::vector<cv::Point> shown;
+  for (const Cell& wall : occupiedCells(reference, occupied_threshold)) {
+    shown.emplace_back(wall.x, wall.y);
+  }
+  for (const Points& overlay : overlays) {
+    for (const Eigen::Vector2d& p : overlay) {
+      shown.emplace_back(static_cast<int>(std::floor(p.x())), static_cast<int>(std::floor(p.y())));
+    }
+  }
+  cv::Rect box = shown.empty() ? cv::Rect(0, 0, reference.width(), reference.height()) : cv::boundingRect(shown);
+  const int margin = static_cast<int>(std::ceil(kMargin / reference.resolution()));
+  box = cv::Rect(box.x - margin, box.y - margin, box.width + 2 * margin, box.height + 2 * margin);
+  const int longer = std::max(box.width, box.height);
+  return {box, std::max(1, (kWantedPixels + longer - 1) / longer)};
+}
+
+cv::Vec3b colourOf(const OccupancyGrid& reference, int x, int y, std::int8_t occupied_threshold) {
+  if (!reference.geometry().contains({x, y}) || reference.at(x, y) == kUnknown) {
+    return kUnknownColour;
+  }
+  return reference.at(x, y) >= occupied_threshold ? kWallColour : kFreeColour;
+}
+
+cv::Mat drawReference(const OccupancyGrid& reference, const View& view, std::int8_t occupied_threshold) {
+  cv::Mat image(view.cells.height, view.cells.width, CV_8UC3);
+  for (int row = 0; row < image.rows; ++row) {
+    for (int column = 0; column < image.cols; ++column) {
+      const int y = view.cells.y + image.rows - 1 - row;
+      image.at<cv::Vec3b>(row, column) = colourOf(reference, view.cells.x + column, y, occupied_threshold);
+    }
+  }
+  cv::Mat enlarged;
+  cv::resize(image, enlarged, cv::Size(), view.scale, view.scale, cv::INTER_NEAREST);
+  return enlarged;
+}
+
+void drawCells(cv::Mat& image, const Points& cells, const View& view, const cv::Scalar& colour) {
+  const int half = std::max(1, view.scale / 2);
+  for (const Eigen::Vector2d& p : cells) {
+    const int column = static_cast<int>(std::lround((p.x() - view.cells.x) * view.scale));
+    const int row = image.rows - static_cast<int>(std::lround((p.y() - view.cells.y) * view.scale));
+    cv::rectangle(image, cv::Point(column - half, row - half), cv::Point(column + half, row + half), colour,
+                  cv::FILLED);
+  }
+}
+
+}  // namespace
+
+void writeOverlayImage(const std::string& path, const OccupancyGrid& reference, const OccupancyGrid& session,
+                       const std::optional<Rigid2>& T_reference_session, std::int8_t occupied_threshold) {
+  Points matched;
+  Points unmatched;
+  if (T_reference_session) {
+    const MatchedCells cells = splitByMatch(reference, session, *T_reference_session, occupied_threshold);
+    matched = toReferenceCells(reference, *T_reference_session, cells.matched);
+    unmatched = toReferenceCells(reference, *T_reference_session, cells.unmatched);
+  }
+  const View view = chooseView(reference, {matched, unmatched}, occupied_threshold);
+  cv::Mat image = drawReference(reference, view, occupied_threshold);
+  drawCells(image, unmatched, view, kUnmatchedColour);
+  drawCells(image, matched, view, kMatchedColour);
+  bool written = false;
+  try {
+    written = cv::imwrite(path, image);
+  } catch (const cv::Exception&) {
+    written = false;
+  }
+  if (!written) {
+    throw std::runtime_error("picture '" + path + "' cannot be written; expected a writable path ending in .png");
+  }
+}
+
+}  // namespace map_matcher

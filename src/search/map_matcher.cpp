@@ -1,0 +1,68 @@
+#include "map_matcher/search/map_matcher.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "map_matcher/search/search_reference.hpp"
+#include "map_matcher/search/stopwatch.hpp"
+#include "map_matcher/search/two_stage_search.hpp"
+
+namespace map_matcher {
+namespace {
+
+/// Resolutions that differ by less than this share are the same.
+constexpr double kSameResolution = 1e-6;
+
+/// A session map finer than the reference is searched cell by cell in the reference's cells; a coarser one needs the
+/// reference map at its own resolution.
+double workingResolution(const OccupancyGrid& reference, const OccupancyGrid& session) {
+  const bool coarser = session.resolution() > reference.resolution() * (1.0 + kSameResolution);
+  return coarser ? session.resolution() : reference.resolution();
+}
+
+}  // namespace
+
+MapMatcher::MapMatcher(const MatchOptions& options) : options_(options) {
+  std::string problems;
+  for (const Parameter& parameter : parametersOf(options_)) {
+    const std::string problem = problemWith(parameter);
+    problems += problem.empty() || problems.empty() ? problem : "; " + problem;
+  }
+  if (!problems.empty()) {
+    throw std::invalid_argument(problems);
+  }
+}
+
+MapMatcher::~MapMatcher() = default;
+MapMatcher::MapMatcher(MapMatcher&&) noexcept = default;
+MapMatcher& MapMatcher::operator=(MapMatcher&&) noexcept = default;
+
+void MapMatcher::setReference(OccupancyGrid reference) {
+  reference_ = std::make_shared<const OccupancyGrid>(std::move(reference));
+  buildSearchReference(reference_->resolution());
+}
+
+MatchResult MapMatcher::match(const OccupancyGrid& session, const MatchPrior& prior, const StopToken& stop) {
+  if (!reference_) {
+    MatchResult result;
+    result.reason = "no reference map was set";
+    return result;
+  }
+  const double resolution = workingResolution(*reference_, session);
+  if (search_reference_->resolution() != resolution) {
+    buildSearchReference(resolution);
+  }
+  MatchResult result = twoStageSearch(*search_reference_, session, options_, prior, stop);
+  result.reference_time = reference_time_;
+  return result;
+}
+
+void MapMatcher::buildSearchReference(double resolution) {
+  Stopwatch watch;
+  search_reference_ = std::make_shared<const SearchReference>(*reference_, resolution, options_);
+  reference_time_ = watch.lap();
+}
+
+}  // namespace map_matcher

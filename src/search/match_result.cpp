@@ -1,0 +1,25 @@
+#include "map_matcher/search/match_result.hpp"
+
+namespace map_matcher {
+
+const char* toString(MatchStatus status) {
+  switch (status) {
+    case MatchStatus::kMatched:
+      return "matched";
+    case MatchStatus::kBelowAcceptanceRatio:
+      return "below_acceptance_ratio";
+    case MatchStatus::kNoReference:
+      return "no_reference";
+    case MatchStatus::kEmptyReference:
+      return "empty_reference";
+    case MatchStatus::kTooFewSessionCells:
+      return "too_few_session_cells";
+    case MatchStatus::kSessionTooLarge:
+      return "session_too_large";
+    case MatchStatus::kStopped:
+      return "stopped";
+  }
+  return "unknown";
+}
+
+}  // namespace map_matcher

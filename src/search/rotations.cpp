@@ -1,0 +1,45 @@
+#include "map_matcher/search/rotations.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace map_matcher {
+
+double rotationStep(double rotation_downsampling, double diagonal) {
+  const double dr = rotation_downsampling / diagonal;  // eq. 4.2
+  return 2.0 * M_PI / std::max(1.0, std::ceil(2.0 * M_PI / dr));
+}
+
+std::vector<double> allRotations(double rotation_downsampling, double diagonal) {
+  const double step = rotationStep(rotation_downsampling, diagonal);
+  std::vector<double> angles(static_cast<std::size_t>(std::lround(2.0 * M_PI / step)));
+  for (std::size_t n = 0; n < angles.size(); ++n) {
+    angles[n] = static_cast<double>(n) * step;
+  }
+  return angles;
+}
+
+std::vector<double> rotationsAround(double centre, double half_width, double step) {
+  const int most = static_cast<int>(std::ceil(M_PI / step));
+  const int reach = std::min(most, static_cast<int>(std::ceil(half_width / step)));
+  std::vector<double> angles;
+  for (int k = -reach; k <= reach; ++k) {
+    angles.push_back(centre + k * step);
+  }
+  return angles;
+}
+
+RotatedCells rotate(const SessionCells& session, double angle) {
+  const double c = std::cos(angle);
+  const double s = std::sin(angle);
+  const std::size_t n = session.points.size();
+  RotatedCells cells{std::vector<std::int16_t>(n), std::vector<std::int16_t>(n)};
+  for (std::size_t k = 0; k < n; ++k) {
+    const Eigen::Vector2d& p = session.points[k];
+    cells.x[k] = static_cast<std::int16_t>(std::floor(c * p.x() - s * p.y()));
+    cells.y[k] = static_cast<std::int16_t>(std::floor(s * p.x() + c * p.y()));
+  }
+  return cells;
+}
+
+}  // namespace map_matcher

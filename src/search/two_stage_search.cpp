@@ -1,0 +1,307 @@
+#include "map_matcher/search/two_stage_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <sstream>
+#include <utility>
+
+#include "map_matcher/grid/occupied_cells.hpp"
+#include "map_matcher/search/branch_and_bound.hpp"
+#include "map_matcher/search/rotations.hpp"
+#include "map_matcher/search/session_cells.hpp"
+#include "map_matcher/search/stopwatch.hpp"
+
+namespace map_matcher {
+namespace {
+
+/// Fine searches around an answer on the edge of the window before it, after which the last answer stands.
+constexpr int kMaxFineSearches = 4;
+
+/// Pose of the session cells' centre in the searched reference grid.
+struct CentrePose {
+  double angle = 0.0;                  // [rad]
+  Eigen::Vector2d position{0.0, 0.0};  // [m]
+};
+
+/// One stage with all that it reads and writes.
+struct Stage {
+  SessionCells session;
+  std::vector<double> angles;  // of each rotation [rad]
+  SearchProblem problem;
+  SearchOutcome outcome;
+  StageReport report;
+};
+
+int minCount(double acceptance_ratio, std::size_t num_cells) {
+  return std::max(1, static_cast<int>(std::ceil(acceptance_ratio * static_cast<double>(num_cells) - 1e-9)));
+}
+
+void rotateCells(Stage& stage) {
+  for (const double angle : stage.angles) {
+    stage.problem.rotations.push_back(rotate(stage.session, angle));
+  }
+}
+
+/// Adds the outcome of a search to the stage's report.
+void record(Stage& stage, SearchOutcome outcome) {
+  StageReport& report = stage.report;
+  report.answered = outcome.best.has_value() && !outcome.stopped;
+  report.resolution = stage.session.resolution;
+  report.rotations = static_cast<int>(stage.angles.size());
+  report.total_cells = static_cast<int>(stage.session.points.size());
+  report.matched_cells = outcome.best ? outcome.best->count : 0;
+  report.ratio = static_cast<double>(report.matched_cells) / report.total_cells;
+  report.nodes_scored += outcome.nodes_scored;
+  report.nodes_expanded += outcome.nodes_expanded;
+  report.rotation_expansion_time += outcome.rotation_expansion_time;
+  report.depth_first_search_time += outcome.depth_first_search_time;
+  stage.outcome = std::move(outcome);
+}
+
+CentrePose poseOf(const Stage& stage) {
+  const SearchPose& best = *stage.outcome.best;
+  const Eigen::Vector2d cells(best.translation.x, best.translation.y);
+  return {stage.angles[static_cast<std::size_t>(best.rotation)], cells * stage.session.resolution};
+}
+
+/// The search of one session map in one reference map.
+class TwoStageSearch {
+ public:
+  TwoStageSearch(const SearchReference& reference, const OccupancyGrid& session, const MatchOptions& options,
+                 const MatchPrior& prior, const StopToken& stop)
+      : reference_(reference),
+        options_(options),
+        prior_(prior),
+        stop_(stop),
+        session_resolution_(session.resolution()),
+        cells_(occupiedCells(session, static_cast<std::int8_t>(options.occupied_threshold))) {
+    const double offset = -options.session_map_cell_offset * session.resolution();
+    T_session_grid_ = session.geometry().T_map_grid * Rigid2{offset, offset, 0.0};
+  }
+
+  MatchResult run() {
+    if (!checkInput()) {
+      return result_;
+    }
+    Stage coarse = searchCoarse();
+    result_.stages.push_back(coarse.report);
+    if (!coarse.report.answered) {
+      explainNoCoarseAnswer(coarse);
+      return result_;
+    }
+    Stage fine = searchFine(coarse);
+    result_.stages.push_back(fine.report);
+    if (fine.outcome.stopped) {
+      setStatus(MatchStatus::kStopped, "the search was stopped in its fine stage");
+      return result_;
+    }
+    answer(fine.report.answered ? fine : coarse, fine.report.answered);
+    return result_;
+  }
+
+ private:
+  bool checkInput() {
+    std::ostringstream reason;
+    if (!reference_.hasWalls()) {
+      setStatus(MatchStatus::kEmptyReference, "the reference map has no occupied cell");
+      return false;
+    }
+    if (cells_.empty() || static_cast<int>(cells_.size()) < options_.min_session_cells) {
+      reason << "the session map has " << cells_.size()
+             << " occupied cells, expected at least min_session_cells = " << std::max(1, options_.min_session_cells);
+      setStatus(MatchStatus::kTooFewSessionCells, reason.str());
+      return false;
+    }
+    const double diagonal =
+        prepareSessionCells(cells_, session_resolution_, reference_.resolution(), CellMerging::kNone, 1).diagonal;
+    if (diagonal > kMaxSessionDiagonal) {
+      reason << "the occupied cells of the session map span " << diagonal << " cells, expected at most "
+             << kMaxSessionDiagonal;
+      setStatus(MatchStatus::kSessionTooLarge, reason.str());
+      return false;
+    }
+    return true;
+  }
+
+  // Algorithm 1 over all rotations at the coarse resolution.
+  Stage searchCoarse() {
+    Stopwatch watch;
+    Stage stage{prepareSessionCells(cells_, session_resolution_, reference_.coarseResolution(), CellMerging::kMerge,
+                                    options_.hits_sample_threshold),
+                {},
+                SearchProblem{reference_.coarse(), {}, {}, {}, 1, reference_.coarse().topLevel()},
+                {},
+                {}};
+    stage.report.name = "coarse";
+    stage.angles = allRotations(options_.coarse.rotation_downsampling, stage.session.diagonal);  // eq. 4.2, 4.3
+    stage.problem.min_count = minCount(options_.coarse.acceptance_ratio, stage.session.points.size());
+    applyHeadingPrior(stage);
+    rotateCells(stage);
+    for (std::size_t n = 0; n < stage.angles.size(); ++n) {
+      stage.problem.windows.push_back(
+          intersection(reachableWindow(stage.problem.reference, stage.problem.rotations[n], stage.problem.min_count),
+                       priorWindow(stage, stage.angles[n])));
+    }
+    stage.report.initialization_time = watch.lap();
+    record(stage, branchAndBound(stage.problem, stop_));
+    return stage;
+  }
+
+  // Algorithm 1 again, at the map's own resolution, around the coarse answer (report section 3.2).
+  Stage searchFine(const Stage& coarse) {
+    Stopwatch watch;
+    Stage stage{prepareSessionCells(cells_, session_resolution_, reference_.resolution(), CellMerging::kNone,
+                                    options_.hits_sample_threshold),
+                {},
+                SearchProblem{reference_.fine(), {}, {}, {}, 1, reference_.fine().topLevel()},
+                {},
+                {}};
+    stage.report.name = "fine";
+    stage.problem.min_count = minCount(options_.fine.acceptance_ratio, stage.session.points.size());
+    const FineWindow window =
+        fineWindow(coarse.session.resolution / stage.session.resolution, options_.coarse.rotation_downsampling,
+                   rotationStep(options_.coarse.rotation_downsampling, coarse.session.diagonal));
+    const double step = rotationStep(options_.fine.rotation_downsampling, stage.session.diagonal);
+    stage.report.initialization_time = watch.lap();
+    CentrePose centre = poseOf(coarse);
+    for (int search = 0; search < kMaxFineSearches; ++search) {
+      watch.lap();
+      placeWindow(stage, centre, window, step);
+      stage.report.initialization_time += watch.lap();
+      record(stage, branchAndBound(stage.problem, stop_));
+      if (!stage.report.answered || !onEdge(stage)) {
+        break;
+      }
+      centre = poseOf(stage);
+    }
+    return stage;
+  }
+
+  static void placeWindow(Stage& stage, const CentrePose& centre, const FineWindow& window, double step) {
+    stage.angles = rotationsAround(centre.angle, window.rotation_half_width, step);
+    stage.problem.rotations.clear();
+    rotateCells(stage);
+    const Eigen::Vector2d middle = centre.position / stage.session.resolution;
+    const Cell cell{static_cast<int>(std::lround(middle.x())), static_cast<int>(std::lround(middle.y()))};
+    stage.problem.windows.assign(stage.angles.size(), {{cell.x - window.half_width, cell.y - window.half_width},
+                                                       {cell.x + window.half_width, cell.y + window.half_width}});
+  }
+
+  /// Whether the answer lies on the border of the window, so that a better one may lie beyond it.
+  static bool onEdge(const Stage& stage) {
+    const SearchPose& best = *stage.outcome.best;
+    const SearchWindow& window = stage.problem.windows.front();
+    return best.rotation == 0 || best.rotation + 1 == static_cast<int>(stage.angles.size()) ||
+           best.translation.x == window.first.x || best.translation.x == window.last.x ||
+           best.translation.y == window.first.y || best.translation.y == window.last.y;
+  }
+
+  /// Leaves out the rotations that the prior excludes and ranks the others, nearest heading first.
+  void applyHeadingPrior(Stage& stage) const {
+    if (!prior_.heading) {
+      return;
+    }
+    std::vector<double>& angles = stage.angles;
+    angles.erase(std::remove_if(angles.begin(), angles.end(),
+                                [this](double angle) { return headingError(angle) > prior_.heading->half_width; }),
+                 angles.end());
+    std::vector<std::size_t> nearest_first(angles.size());
+    std::iota(nearest_first.begin(), nearest_first.end(), std::size_t{0});
+    std::stable_sort(nearest_first.begin(), nearest_first.end(), [this, &angles](std::size_t a, std::size_t b) {
+      return headingError(angles[a]) < headingError(angles[b]);
+    });
+    stage.problem.order.resize(angles.size());
+    for (std::size_t rank = 0; rank < nearest_first.size(); ++rank) {
+      stage.problem.order[nearest_first[rank]] = static_cast<std::int32_t>(rank);
+    }
+  }
+
+  double headingError(double angle) const {
+    const double yaw = reference_.T_reference_grid().yaw + angle - T_session_grid_.yaw;
+    return std::abs(normalizeAngle(yaw - prior_.heading->yaw));
+  }
+
+  /// Translations at which the origin of the session map frame lies in the prior's box, or in the box around it along
+  /// the axes of the reference grid where these are turned.
+  SearchWindow priorWindow(const Stage& stage, double angle) const {
+    constexpr int kFar = 1 << 28;
+    if (!prior_.window) {
+      return {{-kFar, -kFar}, {kFar, kFar}};
+    }
+    const Rigid2 T_grid_reference = reference_.T_reference_grid().inverse();
+    const Eigen::Vector2d centre = T_grid_reference * prior_.window->centre;
+    const Eigen::Vector2d half_size = T_grid_reference.rotation().cwiseAbs() * prior_.window->half_size;
+    const Eigen::Vector2d origin_in_grid = T_session_grid_.inverse().translation();
+    const Eigen::Vector2d origin_from_centre =
+        Rigid2{0.0, 0.0, angle} * Eigen::Vector2d(origin_in_grid - stage.session.centre);
+    const Eigen::Vector2d middle = (centre - origin_from_centre) / stage.session.resolution;
+    const Eigen::Vector2d reach = half_size / stage.session.resolution;
+    const Eigen::Vector2d first = (middle - reach).array().floor();
+    const Eigen::Vector2d last = (middle + reach).array().ceil();
+    const auto clamped = [](double value) { return static_cast<int>(std::clamp<double>(value, -kFar, kFar)); };
+    return {{clamped(first.x()), clamped(first.y())}, {clamped(last.x()), clamped(last.y())}};
+  }
+
+  void explainNoCoarseAnswer(const Stage& coarse) {
+    if (coarse.outcome.stopped) {
+      setStatus(MatchStatus::kStopped, "the search was stopped in its coarse stage");
+      return;
+    }
+    std::ostringstream reason;
+    reason << "no pose puts " << options_.coarse.acceptance_ratio << " of the " << coarse.report.total_cells
+           << " session cells of " << coarse.report.resolution << " m on walls of the reference map";
+    setStatus(MatchStatus::kBelowAcceptanceRatio, reason.str());
+  }
+
+  void answer(const Stage& stage, bool refined) {
+    const CentrePose pose = poseOf(stage);
+    const Rigid2 R{0.0, 0.0, pose.angle};
+    const Eigen::Vector2d t = pose.position - R * stage.session.centre;
+    const Rigid2 T_grids{t.x(), t.y(), pose.angle};
+    result_.T_reference_session = reference_.T_reference_grid() * T_grids * T_session_grid_.inverse();
+    result_.refined = refined;
+    result_.matched_cells = stage.report.matched_cells;
+    result_.total_cells = stage.report.total_cells;
+    result_.ratio = stage.report.ratio;
+    std::ostringstream reason;
+    reason << stage.report.matched_cells << " of " << stage.report.total_cells << " session cells lie on walls at "
+           << stage.report.resolution << " m";
+    if (!refined) {
+      reason << "; the fine stage found no pose with " << options_.fine.acceptance_ratio
+             << " of them, so the coarse answer stands";
+    }
+    setStatus(MatchStatus::kMatched, reason.str());
+  }
+
+  void setStatus(MatchStatus status, const std::string& reason) {
+    result_.status = status;
+    result_.reason = reason;
+  }
+
+  const SearchReference& reference_;
+  const MatchOptions& options_;
+  const MatchPrior& prior_;
+  const StopToken& stop_;
+  double session_resolution_;
+  std::vector<Cell> cells_;
+  Rigid2 T_session_grid_;
+  MatchResult result_;
+};
+
+}  // namespace
+
+FineWindow fineWindow(double cells_per_coarse_cell, double coarse_rotation_downsampling, double coarse_rotation_step) {
+  const double coarse_cells = 1.0 + std::sqrt(0.5) + 0.5 * coarse_rotation_downsampling;
+  return {static_cast<int>(std::ceil(coarse_cells * cells_per_coarse_cell)), coarse_rotation_step};
+}
+
+MatchResult twoStageSearch(const SearchReference& reference, const OccupancyGrid& session, const MatchOptions& options,
+                           const MatchPrior& prior, const StopToken& stop) {
+  Stopwatch watch;
+  MatchResult result = TwoStageSearch(reference, session, options, prior, stop).run();
+  result.search_time = watch.lap();
+  return result;
+}
+
+}  // namespace map_matcher
