@@ -59,8 +59,8 @@ class DepthFirstSearch {
     }
   }
 
-  // Goes down at once below the best new initial node if it is the best so far: a high threshold early on keeps most nodes
-  // out of the list. The answer stays the same; the report sorts the complete list first.
+  // Goes down at once below the best new initial node if it is the best so far: a high threshold early on keeps most
+  // nodes out of the list. The answer stays the same; the report sorts the complete list first.
   void searchBestOf(std::ptrdiff_t first_new) {
     const auto best = std::max_element(initial_nodes_.begin() + first_new, initial_nodes_.end(), searchedAfter);
     if (best == initial_nodes_.end() || best->count <= best_initial_count_) {
@@ -73,7 +73,9 @@ class DepthFirstSearch {
   }
 
   void scoreRotation(std::int32_t rotation) {
-    const SearchWindow& window = problem_.windows[static_cast<std::size_t>(rotation)];
+    const auto n = static_cast<std::size_t>(rotation);
+    const SearchWindow window =
+        intersection(problem_.windows[n], reachableWindow(problem_.reference, problem_.rotations[n], threshold_));
     if (window.empty()) {
       return;
     }

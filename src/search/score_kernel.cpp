@@ -40,16 +40,17 @@ MAP_MATCHER_INLINE void computeAddresses(const Chunk& chunk, std::uint32_t* addr
   }
 }
 
-/// Adds the tiles of a chunk to `counts`. Eight-bit counters stay in registers, kRows rows at once, so that one
-/// addition serves as many translations as a register has bytes; benchmark: BM_ScoreTile.
+/// Adds the tiles of a chunk to `counts` and returns the largest of them. Eight-bit counters stay in registers, kRows
+/// rows at once, so that one addition serves as many translations as a register has bytes; benchmark: BM_ScoreTile.
 template <TileShape kShape, int kVectorBytes, int kRows>
-MAP_MATCHER_INLINE void addTiles(const Chunk& chunk, std::int32_t* counts) {
+MAP_MATCHER_INLINE std::int32_t addTiles(const Chunk& chunk, std::int32_t* counts) {
   using Vector = typename ByteVector<kVectorBytes>::type;
   constexpr int kColumns = tileColumns(kShape);
   constexpr int kVectorsPerRow = kColumns / kVectorBytes;
   std::uint32_t addresses[kChunk];
   computeAddresses(chunk, addresses);
   const std::ptrdiff_t row_stride = chunk.level->rowStride();
+  std::int32_t largest = 0;
   for (int top = 0; top < tileRows(kShape); top += kRows) {
     const std::uint8_t* values = chunk.level->data() + top * row_stride;
     Vector sums[kRows][kVectorsPerRow] = {};
@@ -66,14 +67,17 @@ MAP_MATCHER_INLINE void addTiles(const Chunk& chunk, std::int32_t* counts) {
     std::uint8_t narrow[kRows * kColumns];
     std::memcpy(narrow, sums, sizeof(narrow));
     for (int i = 0; i < kRows * kColumns; ++i) {
-      counts[top * kColumns + i] += narrow[i];
+      const std::int32_t count = counts[top * kColumns + i] + narrow[i];
+      counts[top * kColumns + i] = count;
+      largest = count > largest ? count : largest;
     }
   }
+  return largest;
 }
 
-/// Adds two rows of two translations: each load brings two neighbours as the bytes of one number, which at most kChunk
-/// additions keep from running into each other.
-MAP_MATCHER_INLINE void addChildren(const Chunk& chunk, std::int32_t* counts) {
+/// Adds two rows of two translations to `counts` and returns the largest of them: each load brings two neighbours as
+/// the bytes of one number, which at most kChunk additions keep from running into each other.
+MAP_MATCHER_INLINE std::int32_t addChildren(const Chunk& chunk, std::int32_t* counts) {
   std::uint32_t addresses[kChunk];
   computeAddresses(chunk, addresses);
   const std::uint8_t* lower = chunk.level->data();
@@ -93,17 +97,20 @@ MAP_MATCHER_INLINE void addChildren(const Chunk& chunk, std::int32_t* counts) {
     counts[2 * row] += bytes[0];
     counts[2 * row + 1] += bytes[1];
   }
+  return std::max({counts[0], counts[1], counts[2], counts[3]});
 }
 
 // The same three functions for each instruction set.
-#define MAP_MATCHER_KERNEL(SUFFIX, TARGET, WIDE_BYTES, WIDE_ROWS)                \
-  TARGET void addWideTiles##SUFFIX(const Chunk& chunk, std::int32_t* counts) {   \
-    addTiles<TileShape::kWide, WIDE_BYTES, WIDE_ROWS>(chunk, counts);            \
-  }                                                                              \
-  TARGET void addNarrowTiles##SUFFIX(const Chunk& chunk, std::int32_t* counts) { \
-    addTiles<TileShape::kNarrow, 16, 8>(chunk, counts);                          \
-  }                                                                              \
-  TARGET void addChildren##SUFFIX(const Chunk& chunk, std::int32_t* counts) { addChildren(chunk, counts); }
+#define MAP_MATCHER_KERNEL(SUFFIX, TARGET, WIDE_BYTES, WIDE_ROWS)                        \
+  TARGET std::int32_t addWideTiles##SUFFIX(const Chunk& chunk, std::int32_t* counts) {   \
+    return addTiles<TileShape::kWide, WIDE_BYTES, WIDE_ROWS>(chunk, counts);             \
+  }                                                                                      \
+  TARGET std::int32_t addNarrowTiles##SUFFIX(const Chunk& chunk, std::int32_t* counts) { \
+    return addTiles<TileShape::kNarrow, 16, 8>(chunk, counts);                           \
+  }                                                                                      \
+  TARGET std::int32_t addChildren##SUFFIX(const Chunk& chunk, std::int32_t* counts) {    \
+    return addChildren(chunk, counts);                                                   \
+  }
 
 MAP_MATCHER_KERNEL(Baseline, , 16, 2)
 #if MAP_MATCHER_X86
@@ -111,7 +118,7 @@ MAP_MATCHER_KERNEL(Avx2, __attribute__((target("avx2"))), 32, 4)
 MAP_MATCHER_KERNEL(Avx512, __attribute__((target("avx512bw"))), 64, 8)
 #endif
 
-using AddFunction = void (*)(const Chunk&, std::int32_t*);
+using AddFunction = std::int32_t (*)(const Chunk&, std::int32_t*);
 
 /// Counts all cells, chunk by chunk, until `min_count` is out of reach for each of the `num_counts` translations.
 bool countCells(AddFunction add, const PooledLevel& level, const RotatedCells& cells, const Cell& first,
@@ -120,9 +127,9 @@ bool countCells(AddFunction add, const PooledLevel& level, const RotatedCells& c
   std::fill_n(counts, num_counts, 0);
   for (std::size_t begin = 0; begin < num_cells; begin += kChunk) {
     const std::size_t size = std::min(kChunk, num_cells - begin);
-    add({&level, &cells.x[begin], &cells.y[begin], size, first}, counts);
+    const std::int32_t largest = add({&level, &cells.x[begin], &cells.y[begin], size, first}, counts);
     const auto rest = static_cast<std::int32_t>(num_cells - begin - size);
-    if (*std::max_element(counts, counts + num_counts) + rest < min_count) {
+    if (largest + rest < min_count) {
       return false;
     }
   }

@@ -139,10 +139,8 @@ class TwoStageSearch {
     stage.problem.min_count = minCount(options_.coarse.acceptance_ratio, stage.session.points.size());
     applyHeadingPrior(stage);
     rotateCells(stage);
-    for (std::size_t n = 0; n < stage.angles.size(); ++n) {
-      stage.problem.windows.push_back(
-          intersection(reachableWindow(stage.problem.reference, stage.problem.rotations[n], stage.problem.min_count),
-                       priorWindow(stage, stage.angles[n])));
+    for (const double angle : stage.angles) {
+      stage.problem.windows.push_back(priorWindow(stage, angle));
     }
     stage.report.initialization_time = watch.lap();
     record(stage, branchAndBound(stage.problem, stop_));

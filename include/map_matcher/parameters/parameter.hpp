@@ -18,7 +18,7 @@ struct Parameter {
   std::variant<bool*, int*, double*, std::string*> value;
   double min = -std::numeric_limits<double>::infinity();  ///< Smallest allowed number, inclusive.
   double max = std::numeric_limits<double>::infinity();   ///< Largest allowed number, inclusive.
-  std::vector<std::string> choices;                       ///< Allowed strings; empty: any.
+  std::vector<std::string> choices = {};                  ///< Allowed strings; empty: any.
 };
 
 using ParameterList = std::vector<Parameter>;
