@@ -136,6 +136,7 @@ class TwoStageSearch {
                 {},
                 {}};
     stage.report.name = "coarse";
+    stage.report.rotation_step = rotationStep(options_.coarse.rotation_downsampling, stage.session.diagonal);
     stage.angles = allRotations(options_.coarse.rotation_downsampling, stage.session.diagonal);  // eq. 4.2, 4.3
     stage.problem.min_count = minCount(options_.coarse.acceptance_ratio, stage.session.points.size());
     applyHeadingPrior(stage);
@@ -163,6 +164,7 @@ class TwoStageSearch {
         fineWindow(coarse.session.resolution / stage.session.resolution, options_.coarse.rotation_downsampling,
                    rotationStep(options_.coarse.rotation_downsampling, coarse.session.diagonal));
     const double step = rotationStep(options_.fine.rotation_downsampling, stage.session.diagonal);
+    stage.report.rotation_step = step;
     stage.report.initialization_time = watch.lap();
     CentrePose centre = poseOf(coarse);
     for (int search = 0; search < kMaxFineSearches; ++search) {
