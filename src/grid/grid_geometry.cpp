@@ -1,8 +1,12 @@
 #include "map_matcher/grid/grid_geometry.hpp"
 
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <stdexcept>
 #include <string>
+
+#include "map_matcher/parameters/number_text.hpp"
 
 namespace map_matcher {
 
@@ -17,16 +21,21 @@ Cell GridGeometry::cellAt(const Eigen::Vector2d& p_map) const {
 
 void GridGeometry::validate() const {
   if (!std::isfinite(resolution) || resolution <= 0.0) {
-    throw std::invalid_argument("resolution is " + std::to_string(resolution) +
+    throw std::invalid_argument("resolution is " + numberText(resolution) +
                                 ", expected a positive number of metres per cell");
   }
   if (width < 1 || height < 1) {
     throw std::invalid_argument("the grid is " + std::to_string(width) + " x " + std::to_string(height) +
                                 " cells, expected at least 1 x 1");
   }
+  constexpr std::int64_t kMostCells = std::numeric_limits<std::int32_t>::max();
+  if (std::int64_t{width} * height > kMostCells) {
+    throw std::invalid_argument("the grid is " + std::to_string(width) + " x " + std::to_string(height) +
+                                " cells, expected at most " + std::to_string(kMostCells) + " in all");
+  }
   if (!std::isfinite(T_map_grid.x) || !std::isfinite(T_map_grid.y) || !std::isfinite(T_map_grid.yaw)) {
-    throw std::invalid_argument("origin is (" + std::to_string(T_map_grid.x) + ", " + std::to_string(T_map_grid.y) +
-                                ", " + std::to_string(T_map_grid.yaw) + "), expected three finite numbers");
+    throw std::invalid_argument("origin is (" + numberText(T_map_grid.x) + ", " + numberText(T_map_grid.y) + ", " +
+                                numberText(T_map_grid.yaw) + "), expected three finite numbers");
   }
 }
 

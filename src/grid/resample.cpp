@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "map_matcher/parameters/number_text.hpp"
 
 namespace map_matcher {
 namespace {
@@ -19,7 +22,12 @@ struct Span {
 constexpr double kEdgeTolerance = 1e-6;
 
 int newSize(int old_size, double ratio) {
-  return std::max(1, static_cast<int>(std::ceil(old_size / ratio - kEdgeTolerance)));
+  const double size = std::max(1.0, std::ceil(old_size / ratio - kEdgeTolerance));
+  if (size > std::numeric_limits<int>::max()) {
+    throw std::invalid_argument("a resolution " + numberText(1.0 / ratio) + " times as fine makes " + numberText(size) +
+                                " cells a side, expected at most " + std::to_string(std::numeric_limits<int>::max()));
+  }
+  return static_cast<int>(size);
 }
 
 std::vector<Span> overlaps(int old_size, int new_size, double ratio) {
@@ -27,9 +35,10 @@ std::vector<Span> overlaps(int old_size, int new_size, double ratio) {
   spans.reserve(static_cast<std::size_t>(new_size));
   for (int i = 0; i < new_size; ++i) {
     const int first = static_cast<int>(std::floor(i * ratio + kEdgeTolerance));
-    const int last = static_cast<int>(std::ceil((i + 1) * ratio - kEdgeTolerance));
+    const int last = static_cast<int>(std::min<double>(old_size, std::ceil((i + 1) * ratio - kEdgeTolerance)));
     spans.push_back({std::min(first, old_size - 1), std::clamp(last, first + 1, old_size)});
   }
+  spans.back().last = old_size;  // whatever the rounding, the last cell is not lost
   return spans;
 }
 

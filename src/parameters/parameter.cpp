@@ -2,16 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
+
+#include "map_matcher/parameters/number_text.hpp"
 
 namespace map_matcher {
 namespace {
-
-std::string numberText(double value) {
-  std::ostringstream out;
-  out << value;
-  return out.str();
-}
 
 bool numberInRange(double value, const Parameter& parameter) {
   return std::isfinite(value) && value >= parameter.min && value <= parameter.max;

@@ -2,12 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <numeric>
 #include <random>
 #include <tuple>
 #include <utility>
 
 namespace map_matcher {
 namespace {
+
+/// Points of a neighbourhood.
+constexpr std::size_t kNeighbourhood = 64;
 
 struct Box {
   Eigen::Vector2d low;
@@ -36,11 +41,45 @@ std::vector<Cell> merged(std::vector<Cell> cells, double ratio) {
 }
 
 /// Fisher-Yates with a fixed seed. std::shuffle may differ between standard libraries.
-void shuffle(std::vector<Eigen::Vector2d>& points) {
+template <typename T>
+void shuffle(std::vector<T>& values) {
   std::mt19937 random;  // its default seed
-  for (std::size_t i = points.size(); i > 1; --i) {
-    std::swap(points[i - 1], points[random() % i]);
+  for (std::size_t i = values.size(); i > 1; --i) {
+    std::swap(values[i - 1], values[random() % i]);
   }
+}
+
+/// Bits of two coordinates in turn, so that numbers near each other are points near each other (Morton order).
+std::uint64_t interleavedBits(const Eigen::Vector2d& point) {
+  constexpr double kOffset = 1 << 24;  // makes every coordinate positive
+  std::uint64_t bits = 0;
+  const auto x = static_cast<std::uint64_t>(std::floor(point.x()) + kOffset);
+  const auto y = static_cast<std::uint64_t>(std::floor(point.y()) + kOffset);
+  for (unsigned bit = 0; bit < 26; ++bit) {
+    bits |= ((x >> bit & 1U) << (2 * bit)) | ((y >> bit & 1U) << (2 * bit + 1));
+  }
+  return bits;
+}
+
+/// Neighbouring points beside each other, for the processor's caches, but the neighbourhoods in shuffled order, so that
+/// a search knows early what a pose is worth.
+std::vector<Eigen::Vector2d> inShuffledNeighbourhoods(const std::vector<Eigen::Vector2d>& points) {
+  std::vector<std::pair<std::uint64_t, std::size_t>> order;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    order.emplace_back(interleavedBits(points[k]), k);
+  }
+  std::sort(order.begin(), order.end());
+  std::vector<std::size_t> neighbourhoods((points.size() + kNeighbourhood - 1) / kNeighbourhood);
+  std::iota(neighbourhoods.begin(), neighbourhoods.end(), std::size_t{0});
+  shuffle(neighbourhoods);
+  std::vector<Eigen::Vector2d> result;
+  for (const std::size_t neighbourhood : neighbourhoods) {
+    const std::size_t begin = neighbourhood * kNeighbourhood;
+    for (std::size_t k = begin; k < std::min(begin + kNeighbourhood, points.size()); ++k) {
+      result.push_back(points[order[k].second]);
+    }
+  }
+  return result;
 }
 
 }  // namespace
@@ -64,10 +103,11 @@ SessionCells prepareSessionCells(const std::vector<Cell>& cells, double map_reso
     const Eigen::Vector2d middle = Eigen::Vector2d(cell.x + 0.5, cell.y + 0.5) * cell_size;
     session.points.emplace_back((middle - centre) / ratio);
   }
-  shuffle(session.points);
   if (sample_threshold > 0 && session.points.size() > static_cast<std::size_t>(sample_threshold)) {
+    shuffle(session.points);
     session.points.resize(static_cast<std::size_t>(sample_threshold));
   }
+  session.points = inShuffledNeighbourhoods(session.points);
   return session;
 }
 

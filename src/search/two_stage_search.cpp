@@ -134,14 +134,13 @@ class TwoStageSearch {
                 {},
                 {}};
     stage.report.name = "coarse";
+    stage.report.rotation_step = rotationStep(options_.coarse.rotation_downsampling, stage.session.diagonal);
     stage.angles = allRotations(options_.coarse.rotation_downsampling, stage.session.diagonal);  // eq. 4.2, 4.3
     stage.problem.min_count = minCount(options_.coarse.acceptance_ratio, stage.session.points.size());
     applyHeadingPrior(stage);
     rotateCells(stage);
-    for (std::size_t n = 0; n < stage.angles.size(); ++n) {
-      stage.problem.windows.push_back(
-          intersection(reachableWindow(stage.problem.reference, stage.problem.rotations[n], stage.problem.min_count),
-                       priorWindow(stage, stage.angles[n])));
+    for (const double angle : stage.angles) {
+      stage.problem.windows.push_back(priorWindow(stage, angle));
     }
     stage.report.initialization_time = watch.lap();
     record(stage, branchAndBound(stage.problem, stop_));
@@ -163,6 +162,7 @@ class TwoStageSearch {
         fineWindow(coarse.session.resolution / stage.session.resolution, options_.coarse.rotation_downsampling,
                    rotationStep(options_.coarse.rotation_downsampling, coarse.session.diagonal));
     const double step = rotationStep(options_.fine.rotation_downsampling, stage.session.diagonal);
+    stage.report.rotation_step = step;
     stage.report.initialization_time = watch.lap();
     CentrePose centre = poseOf(coarse);
     for (int search = 0; search < kMaxFineSearches; ++search) {

@@ -34,7 +34,7 @@ struct GridGeometry {
   bool contains(const Cell& cell) const { return cell.x >= 0 && cell.y >= 0 && cell.x < width && cell.y < height; }
 
   /// Throws std::invalid_argument, with the name and value of the offending field, unless the resolution is positive
-  /// and finite, width and height are at least 1 and the pose is finite.
+  /// and finite, width and height are at least 1, there are at most 2^31 - 1 cells and the pose is finite.
   void validate() const;
 };
 
