@@ -10,9 +10,6 @@
 namespace map_matcher {
 namespace {
 
-/// Depth-first steps between two looks at the stop token; a step takes microseconds.
-constexpr int kStepsPerStopCheck = 64;
-
 /// All translations first + [0, 2^level) x [0, 2^level) under one rotation.
 struct Node {
   std::int32_t count;  // matched cells at most, in integers: an upper bound for all that the node stands for
@@ -49,13 +46,17 @@ class DepthFirstSearch {
   }
 
  private:
+  bool checkStop() {
+    outcome_.stopped = outcome_.stopped || stop_.stopRequested();
+    return outcome_.stopped;
+  }
+
   // Lines 4 to 10: all rotations at the root level, all translations on its stride.
   void scoreInitialNodes() {
-    for (std::size_t n = 0; n < problem_.rotations.size() && !outcome_.stopped; ++n) {
+    for (std::size_t n = 0; n < problem_.rotations.size() && !checkStop(); ++n) {
       const auto first_new = static_cast<std::ptrdiff_t>(initial_nodes_.size());
       scoreRotation(static_cast<std::int32_t>(n));
       searchBestOf(first_new);
-      outcome_.stopped = outcome_.stopped || stop_.stopRequested();
     }
   }
 
@@ -83,7 +84,7 @@ class DepthFirstSearch {
     const bool narrow = (window.last.x - window.first.x) / stride < tileColumns(TileShape::kNarrow);
     const TileShape shape = narrow ? TileShape::kNarrow : TileShape::kWide;
     for (int y = window.first.y; y <= window.last.y; y += stride * tileRows(shape)) {
-      for (int x = window.first.x; x <= window.last.x; x += stride * tileColumns(shape)) {
+      for (int x = window.first.x; x <= window.last.x && !checkStop(); x += stride * tileColumns(shape)) {
         scoreTile(shape, rotation, {x, y}, window.last);
       }
     }
@@ -133,8 +134,7 @@ class DepthFirstSearch {
       } else {
         expand(node);
       }
-      if (++steps_ % kStepsPerStopCheck == 0 && stop_.stopRequested()) {
-        outcome_.stopped = true;
+      if (checkStop()) {
         return;
       }
     }
@@ -176,7 +176,6 @@ class DepthFirstSearch {
   ScoreKernel kernel_;
   TileCounts tile_;
   std::int32_t best_initial_count_ = 0;
-  std::uint64_t steps_ = 0;
 };
 
 }  // namespace

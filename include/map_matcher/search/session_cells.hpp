@@ -25,8 +25,9 @@ struct SessionCells {
 /// How session cells become points of a stage.
 enum class CellMerging {
   kNone,   ///< Each session cell is a point of its own, at its centre.
-  kMerge,  ///< Session cells that fall into the same, larger cell of the stage are one point at its middle: the max
-           ///< operator of report section 3.1.
+  kMerge,  ///< Session cells that fall into the same, larger cell of the stage are one point (the max operator of
+           ///< report section 3.1), which lies at their mean: the middle of the larger cell would be up to half of it
+           ///< off the wall.
 };
 
 /// The session cells for a stage of a resolution [m]. The size of the session map is that of the bounding box of its

@@ -1,0 +1,54 @@
+/// \file
+/// A planar lidar that looks at a world.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "map_matcher/grid/rigid2.hpp"
+#include "map_matcher/parameters/parameter.hpp"
+#include "map_matcher/simulation/random_numbers.hpp"
+#include "map_matcher/simulation/world.hpp"
+
+namespace map_matcher {
+
+/// The lidar of the report's section 3.3.1: 270 degrees, 20 m, noise N(0, sigma^2); beams and shortest range are those
+/// of the SICK TiM571 on the CROWDBOT Pepper. Ranges stand in parametersOf().
+struct LidarOptions {
+  int beams = 811;                          ///< Rays of a scan, the first and last at the edges of the field of view.
+  double field_of_view = 4.71238898038469;  ///< [rad] Angle between the first and the last ray.
+  double range_min = 0.05;                  ///< [m] Nearer surfaces return nothing.
+  double range_max = 20.0;                  ///< [m] Farther surfaces return nothing.
+  double sigma = 0.03;                      ///< [m] Standard deviation of a measured range.
+  Rigid2 T_base_lidar{0.15, 0.0, 0.0};      ///< Mounting pose on the robot.
+};
+
+/// The parameters that fill `options`.
+ParameterList parametersOf(LidarOptions& options);
+
+/// One scan, as sensor_msgs/LaserScan has it: ray i points at angle_min + i * angle_increment in the lidar's frame.
+struct LidarScan {
+  double angle_min = 0.0;        ///< Heading of the first ray [rad].
+  double angle_increment = 0.0;  ///< Angle from a ray to the next, counter-clockwise [rad].
+  double range_min = 0.0;        ///< Shortest range that is measured [m].
+  double range_max = 0.0;        ///< Longest range that is measured [m].
+  std::vector<float> ranges;     ///< [m]; infinity where nothing returned (REP 117).
+};
+
+/// Measures ranges with noise of its own. Not thread-safe.
+class Lidar {
+ public:
+  /// Throws std::invalid_argument that names every option out of its range.
+  Lidar(const LidarOptions& options, const RandomNumbers& noise);
+
+  /// The scan from a robot that stands at this pose; all rays at one instant.
+  LidarScan scan(const World& world, const Rigid2& T_map_base);
+
+ private:
+  float measure(double distance);
+
+  LidarOptions options_;
+  RandomNumbers noise_;
+};
+
+}  // namespace map_matcher

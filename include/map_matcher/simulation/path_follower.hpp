@@ -1,0 +1,40 @@
+/// \file
+/// Drives a robot along a path.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "map_matcher/simulation/path_planner.hpp"
+#include "map_matcher/simulation/robot.hpp"
+#include "map_matcher/simulation/world.hpp"
+
+namespace map_matcher {
+
+/// Pure pursuit (Coulter: "Implementation of the pure pursuit path tracking algorithm", 1992) of the farthest point
+/// ahead on the path that a straight line reaches without touching anything. The robot never drives faster than it can
+/// brake within the free space around it, so it cannot collide.
+class PathFollower {
+ public:
+  /// `world` must outlive the follower; the path has at least one point.
+  PathFollower(const World& world, Path path);
+
+  /// The velocity to command now; `period` [s] is the time until the next command.
+  Velocity command(const DifferentialDrive& robot, double period);
+
+  /// Whether the robot stood within reach of the path's end at the last command.
+  bool arrived() const { return arrived_; }
+
+ private:
+  void advance(const Eigen::Vector2d& position);
+  Eigen::Vector2d pointToPursue(const DifferentialDrive& robot) const;
+  bool isClear(const Eigen::Vector2d& from, const Eigen::Vector2d& to, double radius) const;
+  double safeSpeed(const DifferentialDrive& robot, double period) const;
+
+  const World& world_;
+  Path path_;
+  std::size_t nearest_ = 0;  // index of the path's point that the robot has come to
+  bool arrived_ = false;
+};
+
+}  // namespace map_matcher

@@ -1,0 +1,53 @@
+/// \file
+/// Ways through the free space of a world.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "map_matcher/grid/occupancy_grid.hpp"
+#include "map_matcher/simulation/world.hpp"
+
+namespace map_matcher {
+
+/// Points of the map frame [m], from start to goal.
+using Path = std::vector<Eigen::Vector2d>;
+
+/// Plans ways for a round robot by A* on a grid of about 10 cm. Longer ways through wide space are preferred to short
+/// ones along walls.
+class PathPlanner {
+ public:
+  /// `world` must outlive the planner. `required_clearance` [m]: no way comes nearer to anything; a robot's radius and
+  /// a margin. Throws std::invalid_argument unless it is positive and finite.
+  PathPlanner(const World& world, double required_clearance);
+
+  /// A way between two points, or std::nullopt when there is none. Its first and last points are the given ones. The
+  /// goal must have the required clearance; a start with less is left by a straight line to the nearest cell that has
+  /// it.
+  std::optional<Path> plan(const Eigen::Vector2d& start, const Eigen::Vector2d& goal) const;
+
+  /// Centres of the cells to stand in that are connected with each other: the largest such region of the world. Empty
+  /// when the robot fits nowhere.
+  const std::vector<Eigen::Vector2d>& places() const { return places_; }
+
+ private:
+  bool isFree(const Cell& cell) const { return geometry_.contains(cell) && costs_[indexOf(cell)] > 0.0F; }
+  std::size_t indexOf(const Cell& cell) const {
+    return static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(geometry_.width) +
+           static_cast<std::size_t>(cell.x);
+  }
+  Cell cellOf(std::size_t index) const;
+  void measureCosts();
+  void findPlaces();
+  std::optional<Cell> freeCellNear(const Eigen::Vector2d& p_map) const;
+  std::vector<std::size_t> search(const Cell& start, const Cell& goal) const;
+
+  const World& world_;
+  double required_clearance_;
+  GridGeometry geometry_;     // of the planning grid
+  std::vector<float> costs_;  // of a way through the cell, per length; 0: not to be entered
+  std::vector<Eigen::Vector2d> places_;
+};
+
+}  // namespace map_matcher

@@ -1,0 +1,45 @@
+/// \file
+/// A map as something that rays meet and robots bump into.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "map_matcher/grid/occupancy_grid.hpp"
+
+namespace map_matcher {
+
+/// The solid squares of an occupancy grid. Immutable; may be read from several threads.
+///
+/// Occupied cells are solid. Unknown cells are no walls, as everywhere in this package: rays pass through them, but
+/// nobody drives there. Beyond the grid there is nothing to meet and no place to drive.
+class World {
+ public:
+  /// `occupied_threshold` [percent, 1 to 100]: value from which a cell is solid. Throws std::invalid_argument for a
+  /// threshold out of range.
+  explicit World(const OccupancyGrid& grid, std::int8_t occupied_threshold = kDefaultOccupiedThreshold);
+
+  const GridGeometry& geometry() const { return geometry_; }
+
+  /// Distance [m] from a point of the map frame to where a ray of this heading [rad] enters the first solid cell: 0 in
+  /// a solid cell, infinity when it meets none within `range_max` [m] or starts outside the grid. Exact but for
+  /// rounding. Throws std::invalid_argument for numbers that are not finite.
+  double castRay(const Eigen::Vector2d& p_map, double heading, double range_max) const;
+
+  /// A lower bound of the distance [m] from a point of the map frame to the nearest place where nobody drives: solid,
+  /// unknown or outside the grid; 0 in such a place. At most 1.7 cells less than the true distance.
+  double clearance(const Eigen::Vector2d& p_map) const;
+
+ private:
+  Eigen::Vector2d toCells(const Eigen::Vector2d& p_map) const;
+  void measureStrides(const OccupancyGrid& grid, std::int8_t occupied_threshold);
+  void measureFreeSpace(const OccupancyGrid& grid, std::int8_t occupied_threshold);
+
+  GridGeometry geometry_;
+  int padded_width_ = 0;               // the grid's width and a border of one cell on either side
+  std::vector<std::uint8_t> strides_;  // per cell of the padded grid: see world.cpp
+  std::vector<float> free_space_;      // per cell of the padded grid: centre to centre of the nearest blocked cell
+};
+
+}  // namespace map_matcher

@@ -1,0 +1,52 @@
+#include "map_matcher/simulation/lidar.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "map_matcher/simulation/option_check.hpp"
+
+namespace map_matcher {
+
+ParameterList parametersOf(LidarOptions& options) {
+  return {
+      {"beams", "", "Rays of a scan, the first and last at the edges of the field of view.", &options.beams, 2, 100000},
+      {"field_of_view", "rad", "Angle between the first and the last ray.", &options.field_of_view, 0.01, 2.0 * M_PI},
+      {"range_min", "m", "Nearer surfaces return nothing.", &options.range_min, 0.0, 1.0},
+      {"range_max", "m", "Farther surfaces return nothing.", &options.range_max, 1.0, 1000.0},
+      {"sigma", "m", "Standard deviation of a measured range.", &options.sigma, 0.0, 1.0},
+      {"lidar_x", "m", "Forward offset of the lidar on the robot.", &options.T_base_lidar.x, -2.0, 2.0},
+      {"lidar_y", "m", "Offset of the lidar to the left on the robot.", &options.T_base_lidar.y, -2.0, 2.0},
+      {"lidar_yaw", "rad", "Heading of the lidar on the robot.", &options.T_base_lidar.yaw, -M_PI, M_PI},
+  };
+}
+
+Lidar::Lidar(const LidarOptions& options, const RandomNumbers& noise) : options_(options), noise_(noise) {
+  throwIfAny(problemsOf(parametersOf(options_)));
+}
+
+LidarScan Lidar::scan(const World& world, const Rigid2& T_map_base) {
+  LidarScan scan;
+  scan.angle_min = -0.5 * options_.field_of_view;
+  scan.angle_increment = options_.field_of_view / (options_.beams - 1);
+  scan.range_min = options_.range_min;
+  scan.range_max = options_.range_max;
+  scan.ranges.reserve(static_cast<std::size_t>(options_.beams));
+
+  const Rigid2 T_map_lidar = T_map_base * options_.T_base_lidar;
+  // Noise may bring a surface beyond the range back into it: rays look a little farther.
+  const double reach = options_.range_max + 6.0 * options_.sigma;
+  for (int i = 0; i < options_.beams; ++i) {
+    const double heading = T_map_lidar.yaw + scan.angle_min + i * scan.angle_increment;
+    scan.ranges.push_back(measure(world.castRay(T_map_lidar.translation(), heading, reach)));
+  }
+  return scan;
+}
+
+float Lidar::measure(double distance) {
+  // Drawn for every ray, so that one ray's return does not change the noise of the others.
+  const double range = distance + options_.sigma * noise_.gaussian();
+  const bool returned = range >= options_.range_min && range <= options_.range_max;
+  return returned ? static_cast<float>(range) : std::numeric_limits<float>::infinity();
+}
+
+}  // namespace map_matcher

@@ -1,0 +1,176 @@
+#include "map_matcher/simulation/path_planner.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+#include <queue>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace map_matcher {
+namespace {
+
+constexpr double kCellSize = 0.1;    // [m] of the planning grid, unless the map's cells are larger
+constexpr double kComfort = 0.5;     // [m] more clearance than required is not worth a detour
+constexpr float kDiscomfort = 4.0F;  // price of a way at the required clearance, above 1 for a comfortable one
+constexpr int kNearestCells = 2;     // [cells] how far a point's nearest cell to stand in may be
+constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+
+constexpr std::array<Cell, 8> kNeighbours{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
+
+/// Planning cells that cover the grid.
+GridGeometry planningGeometry(const GridGeometry& grid) {
+  GridGeometry geometry = grid;
+  geometry.resolution = std::max(kCellSize, grid.resolution);
+  geometry.width = static_cast<int>(std::ceil(grid.width * grid.resolution / geometry.resolution));
+  geometry.height = static_cast<int>(std::ceil(grid.height * grid.resolution / geometry.resolution));
+  return geometry;
+}
+
+/// Length of the shortest way between two cells where nothing is in the way [cells]: a lower bound of every cost.
+float octileDistance(const Cell& a, const Cell& b) {
+  const auto dx = static_cast<float>(std::abs(a.x - b.x));
+  const auto dy = static_cast<float>(std::abs(a.y - b.y));
+  return std::max(dx, dy) + (std::sqrt(2.0F) - 1.0F) * std::min(dx, dy);
+}
+
+}  // namespace
+
+PathPlanner::PathPlanner(const World& world, double required_clearance)
+    : world_(world), required_clearance_(required_clearance), geometry_(planningGeometry(world.geometry())) {
+  if (!std::isfinite(required_clearance) || required_clearance <= 0.0) {
+    throw std::invalid_argument("required_clearance is " + std::to_string(required_clearance) +
+                                ", expected a positive number of metres");
+  }
+  measureCosts();
+  findPlaces();
+}
+
+Cell PathPlanner::cellOf(std::size_t index) const {
+  const auto width = static_cast<std::size_t>(geometry_.width);
+  return {static_cast<int>(index % width), static_cast<int>(index / width)};
+}
+
+void PathPlanner::measureCosts() {
+  costs_.assign(static_cast<std::size_t>(geometry_.width) * static_cast<std::size_t>(geometry_.height), 0.0F);
+  for (std::size_t i = 0; i < costs_.size(); ++i) {
+    const double spare = world_.clearance(geometry_.cellCentre(cellOf(i))) - required_clearance_;
+    if (spare >= 0.0) {
+      const auto lacking = static_cast<float>(std::max(0.0, 1.0 - spare / kComfort));
+      costs_[i] = 1.0F + (kDiscomfort - 1.0F) * lacking * lacking;
+    }
+  }
+}
+
+void PathPlanner::findPlaces() {
+  cv::Mat1b free(geometry_.height, geometry_.width, std::uint8_t{0});
+  std::transform(costs_.begin(), costs_.end(), free.begin(),
+                 [](float cost) { return cost > 0.0F ? std::uint8_t{255} : std::uint8_t{0}; });
+  cv::Mat1i labels;
+  cv::Mat1i statistics;
+  cv::Mat1d centroids;
+  const int num_labels = cv::connectedComponentsWithStats(free, labels, statistics, centroids, 4);
+  int largest = 0;
+  int largest_area = 0;
+  for (int label = 1; label < num_labels; ++label) {
+    if (statistics(label, cv::CC_STAT_AREA) > largest_area) {
+      largest = label;
+      largest_area = statistics(label, cv::CC_STAT_AREA);
+    }
+  }
+  for (std::size_t i = 0; largest != 0 && i < costs_.size(); ++i) {
+    const Cell cell = cellOf(i);
+    if (labels(cell.y, cell.x) == largest) {
+      places_.push_back(geometry_.cellCentre(cell));
+    }
+  }
+}
+
+std::optional<Cell> PathPlanner::freeCellNear(const Eigen::Vector2d& p_map) const {
+  const Cell centre = geometry_.cellAt(p_map);
+  std::optional<Cell> nearest;
+  // From nearer than the clearance the straight line to the cell is free.
+  double nearest_distance = required_clearance_;
+  for (int y = centre.y - kNearestCells; y <= centre.y + kNearestCells; ++y) {
+    for (int x = centre.x - kNearestCells; x <= centre.x + kNearestCells; ++x) {
+      const double distance = (geometry_.cellCentre({x, y}) - p_map).norm();
+      if (isFree({x, y}) && distance < nearest_distance) {
+        nearest = Cell{x, y};
+        nearest_distance = distance;
+      }
+    }
+  }
+  return nearest;
+}
+
+std::optional<Path> PathPlanner::plan(const Eigen::Vector2d& start, const Eigen::Vector2d& goal) const {
+  if (world_.clearance(start) <= 0.0 || world_.clearance(goal) < required_clearance_) {
+    return std::nullopt;
+  }
+  const std::optional<Cell> first = freeCellNear(start);
+  const std::optional<Cell> last = freeCellNear(goal);
+  if (!first || !last) {
+    return std::nullopt;
+  }
+  const std::vector<std::size_t> cells = search(*first, *last);
+  if (cells.empty()) {
+    return std::nullopt;
+  }
+  Path path{start};
+  for (const std::size_t index : cells) {
+    path.push_back(geometry_.cellCentre(cellOf(index)));
+  }
+  path.push_back(goal);
+  return path;
+}
+
+/// A* from the start to the goal; the indices of the cells on the cheapest way, none when there is no way.
+std::vector<std::size_t> PathPlanner::search(const Cell& start, const Cell& goal) const {
+  std::vector<float> spent(costs_.size(), std::numeric_limits<float>::infinity());
+  std::vector<std::size_t> came_from(costs_.size(), kNone);
+  using Entry = std::pair<float, std::size_t>;  // cost through the cell to the goal at best, index of the cell
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+  const std::size_t goal_index = indexOf(goal);
+  spent[indexOf(start)] = 0.0F;
+  open.emplace(octileDistance(start, goal), indexOf(start));
+
+  while (!open.empty() && open.top().second != goal_index) {
+    const auto [estimate, index] = open.top();
+    open.pop();
+    const Cell cell = cellOf(index);
+    if (estimate > spent[index] + octileDistance(cell, goal)) {
+      continue;  // a cheaper way to this cell was found after the entry was made
+    }
+    for (const Cell& step : kNeighbours) {
+      const Cell next{cell.x + step.x, cell.y + step.y};
+      // A diagonal step must not cut a corner.
+      if (!isFree(next) || !isFree({cell.x + step.x, cell.y}) || !isFree({cell.x, cell.y + step.y})) {
+        continue;
+      }
+      const std::size_t next_index = indexOf(next);
+      const float length = step.x != 0 && step.y != 0 ? std::sqrt(2.0F) : 1.0F;
+      const float cost = spent[index] + length * 0.5F * (costs_[index] + costs_[next_index]);
+      if (cost < spent[next_index]) {
+        spent[next_index] = cost;
+        came_from[next_index] = index;
+        open.emplace(cost + octileDistance(next, goal), next_index);
+      }
+    }
+  }
+  if (open.empty()) {
+    return {};
+  }
+  std::vector<std::size_t> cells;
+  for (std::size_t index = goal_index; index != kNone; index = came_from[index]) {
+    cells.push_back(index);
+  }
+  std::reverse(cells.begin(), cells.end());
+  return cells;
+}
+
+}  // namespace map_matcher

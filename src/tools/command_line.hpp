@@ -1,0 +1,23 @@
+/// \file
+/// What the command-line programs have in common.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+#include "map_matcher/parameters/parameter.hpp"
+
+namespace map_matcher::tools {
+
+constexpr int kDone = 0;      ///< Exit status of a program that did what it was asked to.
+constexpr int kBadInput = 2;  ///< Exit status when an argument or a file cannot be used.
+
+/// An option "--some-name" for each parameter "some_name", with its meaning, unit, range and default in the help. The
+/// fields that the parameters point at must outlive the parsing.
+void addOptions(CLI::App& app, const ParameterList& parameters);
+
+/// Parses the arguments and runs the program; help goes to standard output, what is wrong to standard error. Returns
+/// the exit status.
+int run(CLI::App& app, int argc, char** argv, const std::function<void()>& program);
+
+}  // namespace map_matcher::tools
