@@ -142,7 +142,7 @@ void MapMatcherServer::tell(const MapMatch& report) {
     ROS_WARN_STREAM_THROTTLE(kWarningPeriod, "session map on " << session_subscriber_.getTopic() << " dropped ("
                                                                << report.dropped_session_maps
                                                                << " so far): " << report.reason);
-  } else {
+  } else if (report.status != MapMatch::NO_REFERENCE) {  // which tellWhatIsMissing() tells
     ROS_WARN_STREAM_THROTTLE(kWarningPeriod, "no match: " << report.reason);
   }
   last_status_ = report.status;

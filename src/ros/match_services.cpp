@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -21,6 +22,12 @@ bool sameSearch(const MatchOptions& a, const MatchOptions& b) {
   return a.coarse.acceptance_ratio == b.coarse.acceptance_ratio &&
          a.coarse.rotation_downsampling == b.coarse.rotation_downsampling &&
          a.hits_sample_threshold == b.hits_sample_threshold;
+}
+
+/// A field of a request, finite and not below `min`.
+Parameter field(const char* name, const char* unit, double& value,
+                double min = -std::numeric_limits<double>::infinity()) {
+  return {name, unit, "", &value, min, std::numeric_limits<double>::infinity(), {}};
 }
 
 /// Throws std::invalid_argument that names every value out of its range.
@@ -121,8 +128,8 @@ MatchPrior priorOf(const MatchToReference::Request& request) {
   MatchToReference::Request values = request;
   MatchPrior prior;
   if (request.use_heading_prior) {
-    check({{"heading", "rad", "", &values.heading, {}, {}, {}},
-           {"heading_half_width", "rad", "", &values.heading_half_width, 0.0, {}, {}}});
+    check(
+        {field("heading", "rad", values.heading), field("heading_half_width", "rad", values.heading_half_width, 0.0)});
     prior.heading = HeadingPrior{};
     prior.heading->yaw = request.heading;
     if (request.heading_half_width > 0.0) {
@@ -130,10 +137,9 @@ MatchPrior priorOf(const MatchToReference::Request& request) {
     }
   }
   if (request.use_window_prior) {
-    check({{"window_centre_x", "m", "", &values.window_centre_x, {}, {}, {}},
-           {"window_centre_y", "m", "", &values.window_centre_y, {}, {}, {}},
-           {"window_half_size_x", "m", "", &values.window_half_size_x, 0.0, {}, {}},
-           {"window_half_size_y", "m", "", &values.window_half_size_y, 0.0, {}, {}}});
+    check({field("window_centre_x", "m", values.window_centre_x), field("window_centre_y", "m", values.window_centre_y),
+           field("window_half_size_x", "m", values.window_half_size_x, 0.0),
+           field("window_half_size_y", "m", values.window_half_size_y, 0.0)});
     prior.window = WindowPrior{{request.window_centre_x, request.window_centre_y},
                                {request.window_half_size_x, request.window_half_size_y}};
   }

@@ -70,9 +70,7 @@ MappingUpdate SessionMapping::addScan(const sensor_msgs::LaserScan& scan, const 
 bool SessionMapping::beginSessionIfTimeJumped(const ros::Time& stamp) {
   const bool jumped = stamp + kReorderTolerance < last_scan_;
   if (jumped) {
-    mapper_.reset();
-    num_scans_ = 0;
-    last_map_.reset();
+    beginNewSession();
   } else if (stamp < last_scan_) {
     std::ostringstream text;
     text << "the scan's stamp is " << stamp << ", expected at least that of its predecessor, " << last_scan_;
@@ -80,6 +78,13 @@ bool SessionMapping::beginSessionIfTimeJumped(const ros::Time& stamp) {
   }
   last_scan_ = stamp;
   return jumped;
+}
+
+void SessionMapping::beginNewSession() {
+  mapper_.reset();
+  num_scans_ = 0;
+  last_scan_ = ros::Time();
+  last_map_.reset();
 }
 
 std::optional<SessionSnapshot> SessionMapping::snapshot() const {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "command_line.hpp"
 #include "map_matcher/grid/map_file.hpp"
 #include "map_matcher/grid/occupied_cells.hpp"
 #include "map_matcher/parameters/yaml_parameters.hpp"
@@ -19,9 +20,6 @@ namespace {
 using map_matcher::BagMappingRequest;
 using map_matcher::BagMappingResult;
 using map_matcher::SessionSnapshot;
-
-constexpr int kDrawn = 0;
-constexpr int kBadInput = 2;
 
 struct Arguments {
   BagMappingRequest request;
@@ -73,7 +71,7 @@ void printSummary(const BagMappingResult& result, const SessionSnapshot& last, c
             << " s\n";
 }
 
-int run(Arguments arguments) {
+void drawBag(Arguments& arguments) {
   arguments.request.options = readOptions(arguments.config);
   std::optional<SessionSnapshot> last;
   const BagMappingResult result =
@@ -83,7 +81,6 @@ int run(Arguments arguments) {
     writeTrajectory(arguments.trajectory, result.path);
   }
   printSummary(result, *last, arguments.output);
-  return kDrawn;
 }
 
 void describe(CLI::App& app, Arguments& arguments) {
@@ -104,13 +101,5 @@ int main(int argc, char** argv) {
   CLI::App app("Draws the session map of a bag.", "map_bag");
   Arguments arguments;
   describe(app, arguments);
-  try {
-    app.parse(argc, argv);
-    return run(arguments);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kDrawn : kBadInput;
-  } catch (const std::exception& error) {
-    std::cerr << "map_bag: " << error.what() << '\n';
-    return kBadInput;
-  }
+  return map_matcher::tools::run(app, argc, argv, [&arguments] { drawBag(arguments); });
 }

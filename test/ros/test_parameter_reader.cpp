@@ -66,7 +66,7 @@ TEST_F(ParameterReader, RefusesADoubleForAWholeNumber) {
   node.setParam("min_session_cells", 50.0);
 
   EXPECT_THAT(readParameters(node, parametersOf(options)),
-              ElementsAre("~min_session_cells is 50.0, expected a whole number: 1 to 1e+06 cells"));
+              ElementsAre("~min_session_cells is 50.0, expected a whole number: 1 to 1000000 cells"));
   EXPECT_EQ(options.min_session_cells, 100);
 }
 
@@ -78,7 +78,7 @@ TEST_F(ParameterReader, TellsEveryWrongTypeAndEveryValueOutOfRangeAtOnce) {
 
   EXPECT_THAT(readParameters(node, parametersOf(options)),
               ElementsAre("~tf_rate is 0, expected 0.1 to 1000 Hz",
-                          "~min_session_cells is \"many\", expected a whole number: 1 to 1e+06 cells",
+                          "~min_session_cells is \"many\", expected a whole number: 1 to 1000000 cells",
                           "~enabled is 1, expected true | false",
                           "~tf_mode is \"both\", expected none | reference_to_session"));
   EXPECT_EQ(options.tf_rate, 20.0);

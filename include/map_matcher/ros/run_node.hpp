@@ -6,6 +6,7 @@
 #include <ros/node_handle.h>
 
 #include <exception>
+#include <iostream>
 
 #include "map_matcher/parameters/parameter.hpp"
 
@@ -18,18 +19,13 @@ constexpr int kExitBadInput = 2;
 /// warning for each unknown name. False when there was an error, so that all of them are told before the node gives up.
 bool loadParameters(const ros::NodeHandle& private_node, const ParameterList& parameters);
 
-/// Logs, as fatal, why a node cannot run.
+/// Logs, as fatal, why a node cannot run. Only as long as there is a node handle: without one logging is at its end.
 void logFatal(const std::exception& error);
 
-/// Runs a node until it is shut down and returns the exit code of the process: 0, or kExitBadInput when a parameter or
-/// a file that it names cannot be used. `parametersOf(Options&)` lists the parameters;
-/// `Server(node, private_node, options)` serves as long as it lives, and throws std::exception when it cannot.
+/// Reads the parameters and serves until the node is shut down; returns the exit code, see runNode().
 template <typename Server, typename Options>
-int runNode(int argc, char** argv, const char* name) {
+int serve(const ros::NodeHandle& node, const ros::NodeHandle& private_node) {
   try {
-    ros::init(argc, argv, name);
-    const ros::NodeHandle node;
-    const ros::NodeHandle private_node("~");
     Options options;
     if (!loadParameters(private_node, parametersOf(options))) {
       return kExitBadInput;
@@ -39,6 +35,20 @@ int runNode(int argc, char** argv, const char* name) {
     return 0;
   } catch (const std::exception& error) {
     logFatal(error);
+    return kExitBadInput;
+  }
+}
+
+/// Runs a node until it is shut down and returns the exit code of the process: 0, or kExitBadInput when a parameter or
+/// a file that it names cannot be used. `parametersOf(Options&)` lists the parameters;
+/// `Server(node, private_node, options)` serves as long as it lives, and throws std::exception when it cannot.
+template <typename Server, typename Options>
+int runNode(int argc, char** argv, const char* name) {
+  try {
+    ros::init(argc, argv, name);
+    return serve<Server, Options>(ros::NodeHandle(), ros::NodeHandle("~"));
+  } catch (const std::exception& error) {  // a name that ROS does not allow
+    std::cerr << error.what() << "\n";
     return kExitBadInput;
   }
 }

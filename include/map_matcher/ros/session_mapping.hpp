@@ -13,7 +13,7 @@
 
 namespace map_matcher {
 
-/// Options of a SessionMapping, with slam_gmapping's names as parameters.
+/// Options of a SessionMapping, with slam_gmapping's names as parameters. Their ranges stand in parametersOf().
 struct SessionMappingOptions {
   SessionMapperOptions mapper;
   std::string base_frame = "base_link";  ///< tf frame of the robot.
@@ -51,6 +51,9 @@ class SessionMapping {
   /// tf2::TransformException is thrown. Throws MessageError for a scan that cannot be used, and one that is older than
   /// its predecessor by up to half a second.
   MappingUpdate addScan(const sensor_msgs::LaserScan& scan, const tf2::BufferCore& tf);
+
+  /// Forgets the session: the next scan begins a new one, whatever its stamp.
+  void beginNewSession();
 
   const SessionMapper& mapper() const { return mapper_; }
 

@@ -1,0 +1,124 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "map_matcher/ros/match_messages.hpp"
+
+namespace map_matcher {
+namespace {
+
+StageReport stage(const std::string& name, bool answered, double resolution, double rotation_step) {
+  StageReport report;
+  report.name = name;
+  report.answered = answered;
+  report.resolution = resolution;
+  report.rotation_step = rotation_step;
+  report.rotations = 7;
+  report.matched_cells = 8;
+  report.total_cells = 10;
+  report.ratio = 0.8;
+  report.nodes_scored = 5'000'000'000;
+  report.nodes_expanded = 11;
+  report.initialization_time = 0.1;
+  report.rotation_expansion_time = 0.2;
+  report.depth_first_search_time = 0.3;
+  return report;
+}
+
+MatchResult matchedResult() {
+  MatchResult result;
+  result.status = MatchStatus::kMatched;
+  result.reason = "80 of 100 cells";
+  result.T_reference_session = {1.0, -2.0, M_PI / 2.0};
+  result.refined = true;
+  result.matched_cells = 80;
+  result.total_cells = 100;
+  result.ratio = 0.8;
+  result.stages = {stage("coarse", true, 0.2, 0.02), stage("fine", true, 0.05, 0.004)};
+  result.search_time = 0.6;
+  result.reference_time = 0.7;
+  return result;
+}
+
+TEST(MatchMessages, CarryEverythingOfAResult) {
+  const MapMatch message = toMessage(matchedResult());
+
+  EXPECT_EQ(message.status, MapMatch::MATCHED);
+  EXPECT_EQ(message.status_text, "matched");
+  EXPECT_EQ(message.reason, "80 of 100 cells");
+  EXPECT_EQ(message.x, 1.0);
+  EXPECT_EQ(message.y, -2.0);
+  EXPECT_EQ(message.yaw, M_PI / 2.0);
+  EXPECT_EQ(message.T_reference_session.translation.x, 1.0);
+  EXPECT_NEAR(message.T_reference_session.rotation.z, std::sqrt(0.5), 1e-12);
+  EXPECT_TRUE(message.refined);
+  EXPECT_EQ(message.matched_cells, 80);
+  EXPECT_EQ(message.total_cells, 100);
+  EXPECT_EQ(message.ratio, 0.8);
+  EXPECT_EQ(message.search_time, 0.6);
+  EXPECT_EQ(message.reference_time, 0.7);
+  ASSERT_EQ(message.stages.size(), 2U);
+  const MatchStage& fine = message.stages[1];
+  EXPECT_EQ(fine.name, "fine");
+  EXPECT_TRUE(fine.answered);
+  EXPECT_EQ(fine.resolution, 0.05);
+  EXPECT_EQ(fine.rotations, 7);
+  EXPECT_EQ(fine.rotation_step, 0.004);
+  EXPECT_EQ(fine.matched_cells, 8);
+  EXPECT_EQ(fine.total_cells, 10);
+  EXPECT_EQ(fine.ratio, 0.8);
+  EXPECT_EQ(fine.nodes_scored, 5'000'000'000);
+  EXPECT_EQ(fine.nodes_expanded, 11);
+  EXPECT_EQ(fine.initialization_time, 0.1);
+  EXPECT_EQ(fine.rotation_expansion_time, 0.2);
+  EXPECT_EQ(fine.depth_first_search_time, 0.3);
+}
+
+TEST(MatchMessages, HaveTheIdentityWhenNothingMatched) {
+  MatchResult result = matchedResult();
+  result.status = MatchStatus::kBelowAcceptanceRatio;
+
+  const MapMatch message = toMessage(result);
+
+  EXPECT_EQ(message.status, MapMatch::BELOW_ACCEPTANCE_RATIO);
+  EXPECT_EQ(message.status_text, "below_acceptance_ratio");
+  EXPECT_EQ(message.x, 0.0);
+  EXPECT_EQ(message.T_reference_session.translation.x, 0.0);
+  EXPECT_EQ(message.T_reference_session.rotation.w, 1.0);
+}
+
+TEST(MatchMessages, NameEachStatusAsTheSearchDoes) {
+  for (const MatchStatus status : {MatchStatus::kMatched, MatchStatus::kBelowAcceptanceRatio, MatchStatus::kNoReference,
+                                   MatchStatus::kEmptyReference, MatchStatus::kTooFewSessionCells,
+                                   MatchStatus::kSessionTooLarge, MatchStatus::kStopped}) {
+    MatchResult result;
+    result.status = status;
+    EXPECT_EQ(toMessage(result).status, static_cast<std::uint8_t>(status));
+    EXPECT_EQ(toMessage(result).status_text, toString(status));
+  }
+}
+
+TEST(MatchMessages, PlaceTheRobotWithTheUncertaintyOfTheFineStage) {
+  const auto pose = robotPose(toMessage(matchedResult()), {3.0, 0.5, -M_PI / 2.0});
+
+  EXPECT_NEAR(pose.pose.position.x, 0.5, 1e-12);
+  EXPECT_NEAR(pose.pose.position.y, 1.0, 1e-12);
+  EXPECT_NEAR(pose.pose.orientation.w, 1.0, 1e-12);
+  EXPECT_NEAR(pose.covariance[0], 0.05 * 0.05 / 12.0, 1e-12);
+  EXPECT_NEAR(pose.covariance[7], 0.05 * 0.05 / 12.0, 1e-12);
+  EXPECT_NEAR(pose.covariance[35], 0.004 * 0.004 / 12.0, 1e-12);
+}
+
+TEST(MatchMessages, PlaceTheRobotWithTheUncertaintyOfTheCoarseStageWhenItsAnswerStands) {
+  MatchResult result = matchedResult();
+  result.refined = false;
+  result.stages[1].answered = false;
+
+  const auto pose = robotPose(toMessage(result), {});
+
+  EXPECT_NEAR(pose.covariance[0], 0.2 * 0.2 / 12.0, 1e-12);
+  EXPECT_NEAR(pose.covariance[35], 0.02 * 0.02 / 12.0, 1e-12);
+}
+
+}  // namespace
+}  // namespace map_matcher

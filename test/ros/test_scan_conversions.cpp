@@ -1,0 +1,100 @@
+#include <gtest/gtest.h>
+#include <tf2/LinearMath/Quaternion.h>
+
+#include <cmath>
+#include <limits>
+
+#include "map_matcher/mapping/beams.hpp"
+#include "map_matcher/ros/conversions.hpp"
+#include "map_matcher/ros/scan_conversions.hpp"
+
+namespace map_matcher {
+namespace {
+
+geometry_msgs::Transform transformOf(double x, double y, double roll, double pitch, double yaw) {
+  tf2::Quaternion quaternion;
+  quaternion.setRPY(roll, pitch, yaw);
+  geometry_msgs::Transform transform;
+  transform.translation.x = x;
+  transform.translation.y = y;
+  transform.translation.z = 0.3;
+  transform.rotation.x = quaternion.x();
+  transform.rotation.y = quaternion.y();
+  transform.rotation.z = quaternion.z();
+  transform.rotation.w = quaternion.w();
+  return transform;
+}
+
+sensor_msgs::LaserScan scanMessage() {
+  sensor_msgs::LaserScan message;
+  message.angle_min = -1.0F;
+  message.angle_increment = 0.5F;
+  message.range_max = 10.0F;
+  message.ranges = {1.0F, 2.0F, 3.0F};
+  return message;
+}
+
+TEST(ScanConversions, TakeTheRangesAsTheyAre) {
+  const PlanarScan scan = fromMessage(scanMessage());
+
+  EXPECT_DOUBLE_EQ(scan.angle_min, -1.0);
+  EXPECT_DOUBLE_EQ(scan.angle_increment, 0.5);
+  EXPECT_EQ(scan.ranges, (std::vector<float>{1.0F, 2.0F, 3.0F}));
+}
+
+TEST(ScanConversions, RefuseAScanThatIsNotValid) {
+  sensor_msgs::LaserScan message = scanMessage();
+  message.angle_increment = 0.0F;
+
+  EXPECT_THROW(fromMessage(message), MessageError);
+}
+
+TEST(ScanConversions, TellAnUprightLaserFromOneUpsideDown) {
+  const LaserMount upright = laserMountFrom(transformOf(0.2, -0.1, 0.0, 0.0, 0.5));
+  const LaserMount inverted = laserMountFrom(transformOf(0.2, -0.1, M_PI, 0.0, 0.5));
+
+  EXPECT_FALSE(upright.upside_down);
+  EXPECT_TRUE(inverted.upside_down);
+  for (const LaserMount& mount : {upright, inverted}) {
+    EXPECT_NEAR(mount.T_base_laser.x, 0.2, 1e-12);
+    EXPECT_NEAR(mount.T_base_laser.y, -0.1, 1e-12);
+    EXPECT_NEAR(mount.T_base_laser.yaw, 0.5, 1e-9);
+  }
+}
+
+TEST(ScanConversions, PutTheBeamsOfALaserUpsideDownWhereTheTransformPutsThem) {
+  // Turned by pi about its x axis, then by 0.5 about the vertical: a beam at +a points to 0.5 - a.
+  const LaserMount mount = laserMountFrom(transformOf(0.0, 0.0, M_PI, 0.0, 0.5));
+
+  const BeamFan fan = castBeams({0.2, 0.1, 0.0, 10.0, {1.0F}}, mount, {});
+
+  EXPECT_NEAR(std::atan2(fan.beams[0].end.y(), fan.beams[0].end.x()), 0.3, 1e-9);
+}
+
+TEST(ScanConversions, RefuseALaserThatIsTilted) {
+  EXPECT_NO_THROW(laserMountFrom(transformOf(0.0, 0.0, 0.02, 0.0, 0.0)));
+  EXPECT_THROW(laserMountFrom(transformOf(0.0, 0.0, 0.1, 0.0, 0.0)), MessageError);
+  EXPECT_THROW(laserMountFrom(transformOf(0.0, 0.0, 0.0, M_PI_2, 0.0)), MessageError);
+}
+
+TEST(ScanConversions, ProjectOdometryToThePlane) {
+  const Rigid2 pose = projectToPlane(transformOf(1.0, 2.0, 0.05, -0.03, 2.5), "the odometry");
+
+  EXPECT_DOUBLE_EQ(pose.x, 1.0);
+  EXPECT_DOUBLE_EQ(pose.y, 2.0);
+  EXPECT_NEAR(pose.yaw, 2.5, 1e-9);
+}
+
+TEST(ScanConversions, RefuseTransformsThatAreNotFiniteOrNotNormalised) {
+  geometry_msgs::Transform not_finite = transformOf(1.0, 2.0, 0.0, 0.0, 0.0);
+  not_finite.translation.y = std::numeric_limits<double>::infinity();
+  geometry_msgs::Transform not_normalised = transformOf(1.0, 2.0, 0.0, 0.0, 0.0);
+  not_normalised.rotation.w = 0.0;
+
+  EXPECT_THROW(projectToPlane(not_finite, "the odometry"), MessageError);
+  EXPECT_THROW(projectToPlane(not_normalised, "the odometry"), MessageError);
+  EXPECT_THROW(laserMountFrom(not_finite), MessageError);
+}
+
+}  // namespace
+}  // namespace map_matcher
