@@ -89,10 +89,10 @@ class Itinerary {
       return {place.x(), place.y(), random_.uniform(-M_PI, M_PI)};
     }
     const Eigen::Vector2d place = options_.start->translation();
-    if (world_.clearance(place) < options_.robot.radius) {
+    if (!world_.isClear(place, options_.robot.radius)) {
       std::ostringstream text;
       text << "start is " << pointText(place) << ", expected a place with " << options_.robot.radius
-           << " m of free space around it; there are " << world_.clearance(place) << " m";
+           << " m of free space around it";
       throw std::invalid_argument(text.str());
     }
     return {place.x(), place.y(), normalizeAngle(options_.start->yaw)};

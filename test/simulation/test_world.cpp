@@ -134,7 +134,7 @@ TEST(World, raysAgreeWithLookingAtEveryCellOfABuilding) {
   }
 }
 
-TEST(World, clearanceIsNeverMoreThanTheTrueDistanceAndLittleLess) {
+TEST(World, clearanceIsLittleLessThanTheTrueDistanceAndIsClearIsExact) {
   constexpr std::uint64_t kSeed = 13;
   SCOPED_TRACE(testing::Message() << "seed " << kSeed);
   RandomNumbers random(kSeed);
@@ -146,6 +146,8 @@ TEST(World, clearanceIsNeverMoreThanTheTrueDistanceAndLittleLess) {
       const double expected = test::clearanceByEveryCell(grid, p);
       ASSERT_LE(world.clearance(p), expected + 1e-9) << "grid " << i << " at " << p.transpose();
       ASSERT_GE(world.clearance(p), expected - 1.7 * grid.resolution()) << "grid " << i << " at " << p.transpose();
+      ASSERT_TRUE(expected == 0.0 || world.isClear(p, expected - 1e-9)) << "grid " << i << " at " << p.transpose();
+      ASSERT_FALSE(world.isClear(p, expected + 1e-9)) << "grid " << i << " at " << p.transpose();
     }
   }
 }
