@@ -88,6 +88,11 @@ Eigen::Vector2d World::toCells(const Eigen::Vector2d& p_map) const {
   return (geometry_.T_map_grid.inverse() * p_map / geometry_.resolution).array() + 1.0;
 }
 
+/// Whether a point of the padded grid [cells] lies within the grid; NaN does not.
+bool World::isInside(const Eigen::Vector2d& p) const {
+  return p.x() >= 1.0 && p.y() >= 1.0 && p.x() < geometry_.width + 1 && p.y() < geometry_.height + 1;
+}
+
 double World::castRay(const Eigen::Vector2d& p_map, double heading, double range_max) const {
   if (!p_map.allFinite() || !std::isfinite(heading) || !std::isfinite(range_max)) {
     throw std::invalid_argument("a ray from (" + std::to_string(p_map.x()) + ", " + std::to_string(p_map.y()) +
@@ -95,7 +100,7 @@ double World::castRay(const Eigen::Vector2d& p_map, double heading, double range
                                 std::to_string(range_max) + ", expected finite numbers");
   }
   const Eigen::Vector2d origin = toCells(p_map);
-  if (!(origin.array() >= 1.0).all() || origin.x() >= geometry_.width + 1 || origin.y() >= geometry_.height + 1) {
+  if (!isInside(origin)) {
     return kInfinity;
   }
   const double angle = heading - geometry_.T_map_grid.yaw;
@@ -126,7 +131,7 @@ double World::castRay(const Eigen::Vector2d& p_map, double heading, double range
 
 double World::clearance(const Eigen::Vector2d& p_map) const {
   const Eigen::Vector2d p = toCells(p_map);
-  if (!(p.array() >= 1.0).all() || p.x() >= geometry_.width + 1 || p.y() >= geometry_.height + 1) {
+  if (!isInside(p)) {
     return 0.0;
   }
   const auto x = static_cast<int>(p.x());
@@ -137,11 +142,11 @@ double World::clearance(const Eigen::Vector2d& p_map) const {
 }
 
 bool World::isClear(const Eigen::Vector2d& p_map, double radius) const {
-  const double certain = clearance(p_map);
-  if (certain >= radius || certain + kClearanceError * geometry_.resolution < radius) {
-    return certain >= radius;
-  }
   const Eigen::Vector2d p = toCells(p_map);
+  const double certain = clearance(p_map);
+  if (!isInside(p) || certain >= radius || certain + kClearanceError * geometry_.resolution < radius) {
+    return isInside(p) && certain >= radius;
+  }
   const double reach = radius / geometry_.resolution;
   const int x_last = std::min(static_cast<int>(p.x() + reach), geometry_.width + 1);
   const int y_last = std::min(static_cast<int>(p.y() + reach), geometry_.height + 1);

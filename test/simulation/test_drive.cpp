@@ -80,6 +80,17 @@ double longestStay(const Drive& drive) {
   return longest;
 }
 
+bool isOccupiedWithin(const OccupancyGrid& map, const Cell& cell, int distance) {
+  for (int y = cell.y - distance; y <= cell.y + distance; ++y) {
+    for (int x = cell.x - distance; x <= cell.x + distance; ++x) {
+      if (map.geometry().contains({x, y}) && map.at(x, y) == kOccupied) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 class Drives : public testing::TestWithParam<std::uint64_t> {};
 
 TEST_P(Drives, throughBuildingsGoFarAndTouchNothing) {
@@ -165,6 +176,25 @@ TEST(Drive, withoutNoiseHasTheTruthForItsOdometry) {
     ASSERT_NEAR(step.T_odom_base.x, expected.x, 1e-9);
     ASSERT_NEAR(step.T_odom_base.y, expected.y, 1e-9);
     ASSERT_NEAR(normalizeAngle(step.T_odom_base.yaw - expected.yaw), 0.0, 1e-9);
+  }
+}
+
+TEST(Drive, hasScansThatFitTheMapAtTheTruePose) {
+  const OccupancyGrid map = building(3);
+  DriveOptions options = shortDrive(3);
+  options.lidar.sigma = 0.0;
+  const Drive drive = simulateDrive(map, options);
+  for (const DriveStep& step : drive.steps) {
+    const Rigid2 T_map_lidar = step.T_map_base * drive.T_base_lidar;
+    for (std::size_t i = 0; i < step.scan.ranges.size(); ++i) {
+      const double angle = step.scan.angle_min + static_cast<double>(i) * step.scan.angle_increment;
+      const double range = static_cast<double>(step.scan.ranges[i]) + 1e-4;  // the surface of a cell, and a little more
+      if (std::isfinite(range)) {
+        const Cell cell =
+            map.geometry().cellAt(T_map_lidar * Eigen::Vector2d(range * std::cos(angle), range * std::sin(angle)));
+        ASSERT_TRUE(isOccupiedWithin(map, cell, 1)) << "ray " << i << " at " << step.time << " s";
+      }
+    }
   }
 }
 

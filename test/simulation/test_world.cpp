@@ -159,6 +159,12 @@ TEST(World, thereIsNoClearanceInSolidOrUnknownCellsNorOutside) {
   EXPECT_EQ(world.clearance({-1.0, 2.5}), 0.0);
   EXPECT_EQ(world.clearance({2.5, 7.0}), 0.0);
   EXPECT_EQ(world.clearance({std::nan(""), 2.5}), 0.0);
+  EXPECT_FALSE(world.isClear({2.5, 2.5}, 0.1));
+  EXPECT_FALSE(world.isClear({3.5, 2.5}, 0.1));
+  EXPECT_FALSE(world.isClear({-1e12, 2.5}, 0.1));
+  EXPECT_FALSE(world.isClear({std::nan(""), 2.5}, 0.1));
+  EXPECT_TRUE(world.isClear({0.5, 4.5}, 0.5));
+  EXPECT_FALSE(world.isClear({4.5, 4.5}, 0.6));
 }
 
 }  // namespace
