@@ -102,6 +102,19 @@ OccupancyGrid fromMessage(const nav_msgs::OccupancyGrid& message) {
   }
 }
 
+std::string frameName(const std::string& frame_id) {
+  const std::size_t first = frame_id.find_first_not_of('/');
+  return first == std::string::npos ? "" : frame_id.substr(first);
+}
+
+std::string frameOf(const std_msgs::Header& header) {
+  const std::string name = frameName(header.frame_id);
+  if (name.empty()) {
+    throw MessageError("header.frame_id is \"" + header.frame_id + "\", expected the name of the map's frame");
+  }
+  return name;
+}
+
 nav_msgs::OccupancyGrid toMessage(const OccupancyGrid& grid, const std::string& frame_id, const ros::Time& stamp) {
   nav_msgs::OccupancyGrid message;
   message.header.frame_id = frame_id;

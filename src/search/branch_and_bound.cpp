@@ -10,9 +10,6 @@
 namespace map_matcher {
 namespace {
 
-/// Depth-first steps between two looks at the stop token; a step takes microseconds.
-constexpr int kStepsPerStopCheck = 64;
-
 /// All translations first + [0, 2^level) x [0, 2^level) under one rotation.
 struct Node {
   std::int32_t count;  // matched cells at most, in integers: an upper bound for all that the node stands for
@@ -37,9 +34,9 @@ class DepthFirstSearch {
     Stopwatch watch;
     scoreInitialNodes();
     outcome_.rotation_expansion_time = watch.lap();
-    std::make_heap(initial_nodes_.begin(), initial_nodes_.end(), searchedAfter);
+    dropHopelessNodes();
+    std::sort(initial_nodes_.begin(), initial_nodes_.end(), searchedAfter);
     while (!initial_nodes_.empty() && !outcome_.stopped) {
-      std::pop_heap(initial_nodes_.begin(), initial_nodes_.end(), searchedAfter);
       const Node root = initial_nodes_.back();
       initial_nodes_.pop_back();
       searchBelow(root);
@@ -49,46 +46,74 @@ class DepthFirstSearch {
   }
 
  private:
+  bool checkStop() {
+    outcome_.stopped = outcome_.stopped || stop_.stopRequested();
+    return outcome_.stopped;
+  }
+
   // Lines 4 to 10: all rotations at the root level, all translations on its stride.
   void scoreInitialNodes() {
-    for (std::size_t n = 0; n < problem_.rotations.size() && !outcome_.stopped; ++n) {
-      outcome_.stopped = stop_.stopRequested();
+    for (std::size_t n = 0; n < problem_.rotations.size() && !checkStop(); ++n) {
+      const auto first_new = static_cast<std::ptrdiff_t>(initial_nodes_.size());
       scoreRotation(static_cast<std::int32_t>(n));
+      searchBestOf(first_new);
     }
   }
 
+  // Goes down at once below the best new initial node if it is the best so far: a high threshold early on keeps most
+  // nodes out of the list. The answer stays the same; the report sorts the complete list first.
+  void searchBestOf(std::ptrdiff_t first_new) {
+    const auto best = std::max_element(initial_nodes_.begin() + first_new, initial_nodes_.end(), searchedAfter);
+    if (best == initial_nodes_.end() || best->count <= best_initial_count_) {
+      return;
+    }
+    const Node node = *best;
+    best_initial_count_ = node.count;
+    initial_nodes_.erase(best);
+    searchBelow(node);
+  }
+
   void scoreRotation(std::int32_t rotation) {
-    const SearchWindow& window = problem_.windows[static_cast<std::size_t>(rotation)];
+    const auto n = static_cast<std::size_t>(rotation);
+    const SearchWindow window =
+        intersection(problem_.windows[n], reachableWindow(problem_.reference, problem_.rotations[n], threshold_));
     if (window.empty()) {
       return;
     }
     const int stride = 1 << problem_.root_level;
-    for (int y = window.first.y; y <= window.last.y; y += stride * kTileRows) {
-      for (int x = window.first.x; x <= window.last.x; x += stride * kTileColumns) {
-        scoreTile(rotation, {x, y}, window.last);
+    const bool narrow = (window.last.x - window.first.x) / stride < tileColumns(TileShape::kNarrow);
+    const TileShape shape = narrow ? TileShape::kNarrow : TileShape::kWide;
+    for (int y = window.first.y; y <= window.last.y; y += stride * tileRows(shape)) {
+      for (int x = window.first.x; x <= window.last.x && !checkStop(); x += stride * tileColumns(shape)) {
+        scoreTile(shape, rotation, {x, y}, window.last);
       }
     }
   }
 
-  void scoreTile(std::int32_t rotation, const Cell& first, const Cell& last) {
+  void scoreTile(TileShape shape, std::int32_t rotation, const Cell& first, const Cell& last) {
     const PooledLevel& level = problem_.reference.level(problem_.root_level);
     const RotatedCells& cells = problem_.rotations[static_cast<std::size_t>(rotation)];
     const int stride = level.stride();
-    const int columns = std::min(kTileColumns, (last.x - first.x) / stride + 1);
-    const int rows = std::min(kTileRows, (last.y - first.y) / stride + 1);
+    const int columns = std::min(tileColumns(shape), (last.x - first.x) / stride + 1);
+    const int rows = std::min(tileRows(shape), (last.y - first.y) / stride + 1);
     outcome_.nodes_scored += static_cast<std::int64_t>(columns) * rows;
-    if (!tile_scorer_.score(level, cells, first, threshold_, tile_)) {
+    if (!kernel_.scoreTile(shape, level, cells, first, threshold_, tile_)) {
       return;
     }
     for (int row = 0; row < rows; ++row) {
       for (int column = 0; column < columns; ++column) {
-        const std::int32_t count = tile_[static_cast<std::size_t>(row * kTileColumns + column)];
+        const std::int32_t count = tile_[static_cast<std::size_t>(row * tileColumns(shape) + column)];
         if (count >= threshold_) {
           const Cell translation{first.x + column * stride, first.y + row * stride};
           initial_nodes_.push_back({count, rank(rotation), rotation, translation, problem_.root_level});
         }
       }
     }
+  }
+
+  void dropHopelessNodes() {
+    const auto hopeless = [this](const Node& node) { return node.count < threshold_; };
+    initial_nodes_.erase(std::remove_if(initial_nodes_.begin(), initial_nodes_.end(), hopeless), initial_nodes_.end());
   }
 
   std::int32_t rank(std::int32_t rotation) const {
@@ -109,8 +134,7 @@ class DepthFirstSearch {
       } else {
         expand(node);
       }
-      if (++steps_ % kStepsPerStopCheck == 0 && stop_.stopRequested()) {
-        outcome_.stopped = true;
+      if (checkStop()) {
         return;
       }
     }
@@ -128,7 +152,7 @@ class DepthFirstSearch {
     const PooledLevel& level = problem_.reference.level(node.level - 1);
     const RotatedCells& cells = problem_.rotations[static_cast<std::size_t>(node.rotation)];
     std::array<std::int32_t, 4> counts;
-    if (!scoreChildren(level, cells, node.first, threshold_, counts)) {
+    if (!kernel_.scoreChildren(level, cells, node.first, threshold_, counts)) {
       return;
     }
     const Cell& last = problem_.windows[static_cast<std::size_t>(node.rotation)].last;
@@ -149,9 +173,9 @@ class DepthFirstSearch {
   SearchOutcome outcome_;
   std::vector<Node> initial_nodes_;
   std::vector<Node> nodes_;
-  TileScorer tile_scorer_;
+  ScoreKernel kernel_;
   TileCounts tile_;
-  std::uint64_t steps_ = 0;
+  std::int32_t best_initial_count_ = 0;
 };
 
 }  // namespace

@@ -44,8 +44,8 @@ void doubleWindow(std::vector<std::uint8_t>& values, std::size_t row_length, std
 
 void requireAddressable(int width, int height, int level) {
   const int stride = 1 << level;
-  const double columns = divideUp(width, stride) + 2.0 * kTileColumns + 1.0;
-  const double rows = divideUp(height, stride) + 2.0 * kTileRows + 1.0;
+  const double columns = divideUp(width, stride) + 2.0 * kMaxTileColumns + 1.0;
+  const double rows = divideUp(height, stride) + 2.0 * kMaxTileRows + 1.0;
   if (columns * rows * stride * stride > std::numeric_limits<int>::max()) {
     throw std::invalid_argument("the reference map is " + std::to_string(width) + " x " + std::to_string(height) +
                                 " cells, too large for level " + std::to_string(level) + " of the search");
@@ -58,9 +58,9 @@ PooledLevel::PooledLevel(int level, int width, int height, int margin, const std
     : level_(level),
       columns_(divideUp(width, 1 << level)),
       rows_(divideUp(height, 1 << level)),
-      row_stride_(columns_ + 2 * kTileColumns + 1),
-      phase_size_(row_stride_ * (rows_ + 2 * kTileRows + 1)),
-      origin_((kTileRows + 1) * row_stride_ + kTileColumns + 1),
+      row_stride_(columns_ + 2 * kMaxTileColumns + 1),
+      phase_size_(row_stride_ * (rows_ + 2 * kMaxTileRows + 1)),
+      origin_((kMaxTileRows + 1) * row_stride_ + kMaxTileColumns + 1),
       values_(static_cast<std::size_t>(phase_size_) << (2 * level), 0) {
   const int row_length = width + 2 * margin;
   for (int y = 1 - stride(); y < height; ++y) {

@@ -21,67 +21,152 @@ struct ByteVector {
   typedef std::uint8_t type __attribute__((vector_size(kBytes)));
 };
 
-/// Adds the bytes of the tiles at `addresses` (at most kChunk) to the 32-bit counts. Eight-bit counters in registers,
-/// so that one addition serves as many translations as a register has bytes; benchmark: BM_TileScorer.
-template <int kVectorBytes>
-__attribute__((always_inline)) inline void addTiles(const std::uint8_t* values, std::ptrdiff_t row_stride,
-                                                    const std::uint32_t* addresses, std::size_t num_addresses,
-                                                    std::int32_t* counts) {
+/// Up to kChunk cells and where their first translation lies.
+struct Chunk {
+  const PooledLevel* level;
+  const std::int16_t* x;
+  const std::int16_t* y;
+  std::size_t size;
+  Cell first;
+};
+
+#define MAP_MATCHER_INLINE __attribute__((always_inline)) inline
+
+/// Where the chunk's tiles begin. Inlined into each variant, so that its vector instructions compute them.
+MAP_MATCHER_INLINE void computeAddresses(const Chunk& chunk, std::uint32_t* addresses) {
+  const PooledLevel& level = *chunk.level;
+  for (std::size_t k = 0; k < chunk.size; ++k) {
+    addresses[k] = level.address(chunk.x[k] + chunk.first.x, chunk.y[k] + chunk.first.y);
+  }
+}
+
+/// Adds the tiles of a chunk to `counts` and returns the largest of them. Eight-bit counters stay in registers, kRows
+/// rows at once, so that one addition serves as many translations as a register has bytes; benchmark: BM_ScoreTile.
+template <TileShape kShape, int kVectorBytes, int kRows>
+MAP_MATCHER_INLINE std::int32_t addTiles(const Chunk& chunk, std::int32_t* counts) {
   using Vector = typename ByteVector<kVectorBytes>::type;
-  constexpr int kVectorsPerRow = kTileColumns / kVectorBytes;
-  Vector sums[kTileRows][kVectorsPerRow] = {};
-  for (std::size_t k = 0; k < num_addresses; ++k) {
-    const std::uint8_t* tile = values + addresses[k];
-    for (int row = 0; row < kTileRows; ++row) {
-      for (int v = 0; v < kVectorsPerRow; ++v) {
-        Vector bytes;
-        std::memcpy(&bytes, tile + row * row_stride + v * kVectorBytes, sizeof(bytes));
-        sums[row][v] += bytes;
+  constexpr int kColumns = tileColumns(kShape);
+  constexpr int kVectorsPerRow = kColumns / kVectorBytes;
+  std::uint32_t addresses[kChunk];
+  computeAddresses(chunk, addresses);
+  const std::ptrdiff_t row_stride = chunk.level->rowStride();
+  std::int32_t largest = 0;
+  for (int top = 0; top < tileRows(kShape); top += kRows) {
+    const std::uint8_t* values = chunk.level->data() + top * row_stride;
+    Vector sums[kRows][kVectorsPerRow] = {};
+    for (std::size_t k = 0; k < chunk.size; ++k) {
+      const std::uint8_t* tile = values + addresses[k];
+      for (int row = 0; row < kRows; ++row) {
+        for (int v = 0; v < kVectorsPerRow; ++v) {
+          Vector bytes;
+          std::memcpy(&bytes, tile + row * row_stride + v * kVectorBytes, sizeof(bytes));
+          sums[row][v] += bytes;
+        }
       }
     }
+    std::uint8_t narrow[kRows * kColumns];
+    std::memcpy(narrow, sums, sizeof(narrow));
+    for (int i = 0; i < kRows * kColumns; ++i) {
+      const std::int32_t count = counts[top * kColumns + i] + narrow[i];
+      counts[top * kColumns + i] = count;
+      largest = count > largest ? count : largest;
+    }
   }
-  std::uint8_t narrow[kTileRows * kTileColumns];
-  std::memcpy(narrow, sums, sizeof(narrow));
-  for (int i = 0; i < kTileRows * kTileColumns; ++i) {
-    counts[i] += narrow[i];
-  }
+  return largest;
 }
 
-using AddTiles = void (*)(const std::uint8_t*, std::ptrdiff_t, const std::uint32_t*, std::size_t, std::int32_t*);
-
-void addTilesBaseline(const std::uint8_t* values, std::ptrdiff_t row_stride, const std::uint32_t* addresses,
-                      std::size_t num_addresses, std::int32_t* counts) {
-  addTiles<16>(values, row_stride, addresses, num_addresses, counts);
+/// Adds two rows of two translations to `counts` and returns the largest of them: each load brings two neighbours as
+/// the bytes of one number, which at most kChunk additions keep from running into each other.
+MAP_MATCHER_INLINE std::int32_t addChildren(const Chunk& chunk, std::int32_t* counts) {
+  std::uint32_t addresses[kChunk];
+  computeAddresses(chunk, addresses);
+  const std::uint8_t* lower = chunk.level->data();
+  const std::uint8_t* upper = lower + chunk.level->rowStride();
+  std::uint32_t sums[2] = {0, 0};
+  for (std::size_t k = 0; k < chunk.size; ++k) {
+    std::uint16_t pairs[2];
+    std::memcpy(&pairs[0], lower + addresses[k], sizeof(pairs[0]));
+    std::memcpy(&pairs[1], upper + addresses[k], sizeof(pairs[1]));
+    sums[0] += pairs[0];
+    sums[1] += pairs[1];
+  }
+  for (int row = 0; row < 2; ++row) {
+    const auto pair = static_cast<std::uint16_t>(sums[row]);
+    std::uint8_t bytes[2];
+    std::memcpy(bytes, &pair, sizeof(bytes));
+    counts[2 * row] += bytes[0];
+    counts[2 * row + 1] += bytes[1];
+  }
+  return std::max({counts[0], counts[1], counts[2], counts[3]});
 }
 
+// The same three functions for each instruction set.
+#define MAP_MATCHER_KERNEL(SUFFIX, TARGET, WIDE_BYTES, WIDE_ROWS)                        \
+  TARGET std::int32_t addWideTiles##SUFFIX(const Chunk& chunk, std::int32_t* counts) {   \
+    return addTiles<TileShape::kWide, WIDE_BYTES, WIDE_ROWS>(chunk, counts);             \
+  }                                                                                      \
+  TARGET std::int32_t addNarrowTiles##SUFFIX(const Chunk& chunk, std::int32_t* counts) { \
+    return addTiles<TileShape::kNarrow, 16, 8>(chunk, counts);                           \
+  }                                                                                      \
+  TARGET std::int32_t addChildren##SUFFIX(const Chunk& chunk, std::int32_t* counts) {    \
+    return addChildren(chunk, counts);                                                   \
+  }
+
+MAP_MATCHER_KERNEL(Baseline, , 16, 2)
 #if MAP_MATCHER_X86
-__attribute__((target("avx2"))) void addTilesAvx2(const std::uint8_t* values, std::ptrdiff_t row_stride,
-                                                  const std::uint32_t* addresses, std::size_t num_addresses,
-                                                  std::int32_t* counts) {
-  addTiles<32>(values, row_stride, addresses, num_addresses, counts);
-}
-
-__attribute__((target("avx512bw"))) void addTilesAvx512(const std::uint8_t* values, std::ptrdiff_t row_stride,
-                                                        const std::uint32_t* addresses, std::size_t num_addresses,
-                                                        std::int32_t* counts) {
-  addTiles<64>(values, row_stride, addresses, num_addresses, counts);
-}
+MAP_MATCHER_KERNEL(Avx2, __attribute__((target("avx2"))), 32, 4)
+MAP_MATCHER_KERNEL(Avx512, __attribute__((target("avx512bw"))), 64, 8)
 #endif
 
-AddTiles kernelFor(KernelVariant variant) {
+using AddFunction = std::int32_t (*)(const Chunk&, std::int32_t*);
+
+/// Counts all cells, chunk by chunk, until `min_count` is out of reach for each of the `num_counts` translations.
+bool countCells(AddFunction add, const PooledLevel& level, const RotatedCells& cells, const Cell& first,
+                std::int32_t min_count, std::int32_t* counts, std::size_t num_counts) {
+  const std::size_t num_cells = cells.x.size();
+  std::fill_n(counts, num_counts, 0);
+  for (std::size_t begin = 0; begin < num_cells; begin += kChunk) {
+    const std::size_t size = std::min(kChunk, num_cells - begin);
+    const std::int32_t largest = add({&level, &cells.x[begin], &cells.y[begin], size, first}, counts);
+    const auto rest = static_cast<std::int32_t>(num_cells - begin - size);
+    if (largest + rest < min_count) {
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+/// The kernel's functions for one instruction set.
+struct ScoreKernel::Functions {
+  AddFunction add_wide_tiles;
+  AddFunction add_narrow_tiles;
+  AddFunction add_children;
+};
+
+namespace {
+
+constexpr ScoreKernel::Functions kBaselineFunctions{addWideTilesBaseline, addNarrowTilesBaseline, addChildrenBaseline};
+#if MAP_MATCHER_X86
+constexpr ScoreKernel::Functions kAvx2Functions{addWideTilesAvx2, addNarrowTilesAvx2, addChildrenAvx2};
+constexpr ScoreKernel::Functions kAvx512Functions{addWideTilesAvx512, addNarrowTilesAvx512, addChildrenAvx512};
+#endif
+
+const ScoreKernel::Functions* functionsOf(KernelVariant variant) {
 #if MAP_MATCHER_X86
   switch (variant) {
     case KernelVariant::kAvx512:
-      return addTilesAvx512;
+      return &kAvx512Functions;
     case KernelVariant::kAvx2:
-      return addTilesAvx2;
+      return &kAvx2Functions;
     case KernelVariant::kBaseline:
       break;
   }
 #else
   static_cast<void>(variant);
 #endif
-  return addTilesBaseline;
+  return &kBaselineFunctions;
 }
 
 }  // namespace
@@ -99,46 +184,18 @@ std::vector<KernelVariant> availableKernelVariants() {
   return variants;
 }
 
-TileScorer::TileScorer(KernelVariant variant) : variant_(variant) {}
+ScoreKernel::ScoreKernel(KernelVariant variant) : functions_(functionsOf(variant)) {}
 
-bool TileScorer::score(const PooledLevel& level, const RotatedCells& cells, const Cell& first, std::int32_t min_count,
-                       TileCounts& counts) {
-  const AddTiles add_tiles = kernelFor(variant_);
-  const std::size_t num_cells = cells.x.size();
-  addresses_.resize(kChunk);
-  counts.fill(0);
-  for (std::size_t begin = 0; begin < num_cells; begin += kChunk) {
-    const std::size_t size = std::min(kChunk, num_cells - begin);
-    for (std::size_t k = 0; k < size; ++k) {
-      addresses_[k] = level.address(cells.x[begin + k] + first.x, cells.y[begin + k] + first.y);
-    }
-    add_tiles(level.data(), level.rowStride(), addresses_.data(), size, counts.data());
-    const auto rest = static_cast<std::int32_t>(num_cells - begin - size);
-    if (*std::max_element(counts.begin(), counts.end()) + rest < min_count) {
-      return false;
-    }
-  }
-  return true;
+bool ScoreKernel::scoreTile(TileShape shape, const PooledLevel& level, const RotatedCells& cells, const Cell& first,
+                            std::int32_t min_count, TileCounts& counts) const {
+  const AddFunction add = shape == TileShape::kWide ? functions_->add_wide_tiles : functions_->add_narrow_tiles;
+  const auto num_counts = static_cast<std::size_t>(tileColumns(shape) * tileRows(shape));
+  return countCells(add, level, cells, first, min_count, counts.data(), num_counts);
 }
 
-bool scoreChildren(const PooledLevel& level, const RotatedCells& cells, const Cell& first, std::int32_t min_count,
-                   std::array<std::int32_t, 4>& counts) {
-  const std::size_t num_cells = cells.x.size();
-  counts.fill(0);
-  for (std::size_t begin = 0; begin < num_cells; begin += kChunk) {
-    const std::size_t end = std::min(begin + kChunk, num_cells);
-    for (std::size_t k = begin; k < end; ++k) {
-      const std::uint8_t* tile = level.data() + level.address(cells.x[k] + first.x, cells.y[k] + first.y);
-      counts[0] += tile[0];
-      counts[1] += tile[1];
-      counts[2] += tile[level.rowStride()];
-      counts[3] += tile[level.rowStride() + 1];
-    }
-    if (*std::max_element(counts.begin(), counts.end()) + static_cast<std::int32_t>(num_cells - end) < min_count) {
-      return false;
-    }
-  }
-  return true;
+bool ScoreKernel::scoreChildren(const PooledLevel& level, const RotatedCells& cells, const Cell& first,
+                                std::int32_t min_count, std::array<std::int32_t, 4>& counts) const {
+  return countCells(functions_->add_children, level, cells, first, min_count, counts.data(), counts.size());
 }
 
 }  // namespace map_matcher

@@ -37,9 +37,11 @@ int minCount(double acceptance_ratio, std::size_t num_cells) {
   return std::max(1, static_cast<int>(std::ceil(acceptance_ratio * static_cast<double>(num_cells) - 1e-9)));
 }
 
-void rotateCells(Stage& stage) {
-  for (const double angle : stage.angles) {
-    stage.problem.rotations.push_back(rotate(stage.session, angle));
+/// Rotations that a stop cuts short stay empty; the search does not look at them then.
+void rotateCells(Stage& stage, const StopToken& stop) {
+  stage.problem.rotations.assign(stage.angles.size(), {});
+  for (std::size_t n = 0; n < stage.angles.size() && !stop.stopRequested(); ++n) {
+    stage.problem.rotations[n] = rotate(stage.session, stage.angles[n]);
   }
 }
 
@@ -134,14 +136,13 @@ class TwoStageSearch {
                 {},
                 {}};
     stage.report.name = "coarse";
+    stage.report.rotation_step = rotationStep(options_.coarse.rotation_downsampling, stage.session.diagonal);
     stage.angles = allRotations(options_.coarse.rotation_downsampling, stage.session.diagonal);  // eq. 4.2, 4.3
     stage.problem.min_count = minCount(options_.coarse.acceptance_ratio, stage.session.points.size());
     applyHeadingPrior(stage);
-    rotateCells(stage);
-    for (std::size_t n = 0; n < stage.angles.size(); ++n) {
-      stage.problem.windows.push_back(
-          intersection(reachableWindow(stage.problem.reference, stage.problem.rotations[n], stage.problem.min_count),
-                       priorWindow(stage, stage.angles[n])));
+    rotateCells(stage, stop_);
+    for (const double angle : stage.angles) {
+      stage.problem.windows.push_back(priorWindow(stage, angle));
     }
     stage.report.initialization_time = watch.lap();
     record(stage, branchAndBound(stage.problem, stop_));
@@ -163,6 +164,7 @@ class TwoStageSearch {
         fineWindow(coarse.session.resolution / stage.session.resolution, options_.coarse.rotation_downsampling,
                    rotationStep(options_.coarse.rotation_downsampling, coarse.session.diagonal));
     const double step = rotationStep(options_.fine.rotation_downsampling, stage.session.diagonal);
+    stage.report.rotation_step = step;
     stage.report.initialization_time = watch.lap();
     CentrePose centre = poseOf(coarse);
     for (int search = 0; search < kMaxFineSearches; ++search) {
@@ -178,10 +180,9 @@ class TwoStageSearch {
     return stage;
   }
 
-  static void placeWindow(Stage& stage, const CentrePose& centre, const FineWindow& window, double step) {
+  void placeWindow(Stage& stage, const CentrePose& centre, const FineWindow& window, double step) const {
     stage.angles = rotationsAround(centre.angle, window.rotation_half_width, step);
-    stage.problem.rotations.clear();
-    rotateCells(stage);
+    rotateCells(stage, stop_);
     const Eigen::Vector2d middle = centre.position / stage.session.resolution;
     const Cell cell{static_cast<int>(std::lround(middle.x())), static_cast<int>(std::lround(middle.y()))};
     stage.problem.windows.assign(stage.angles.size(), {{cell.x - window.half_width, cell.y - window.half_width},

@@ -38,6 +38,7 @@ nlohmann::ordered_json toJson(const StageReport& stage) {
           {"answered", stage.answered},
           {"resolution", stage.resolution},
           {"rotations", stage.rotations},
+          {"rotation_step", stage.rotation_step},
           {"matched_cells", stage.matched_cells},
           {"total_cells", stage.total_cells},
           {"ratio", stage.ratio},

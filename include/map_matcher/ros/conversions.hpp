@@ -6,6 +6,7 @@
 #include <geometry_msgs/Transform.h>
 #include <nav_msgs/OccupancyGrid.h>
 #include <ros/time.h>
+#include <std_msgs/Header.h>
 
 #include <stdexcept>
 #include <string>
@@ -34,6 +35,12 @@ geometry_msgs::Transform toTransformMessage(const Rigid2& transform);
 /// values other than width x height, a value outside [-1, 100], or a bad origin. nav_msgs stores the resolution in 32
 /// bits: it is rounded to seven decimal digits, so that 0.05f is 0.05 again.
 OccupancyGrid fromMessage(const nav_msgs::OccupancyGrid& message);
+
+/// A frame's name without the leading slash that older nodes write and tf2 refuses.
+std::string frameName(const std::string& frame_id);
+
+/// The frame of a message, by frameName(). Throws MessageError when it is empty.
+std::string frameOf(const std_msgs::Header& header);
 
 nav_msgs::OccupancyGrid toMessage(const OccupancyGrid& grid, const std::string& frame_id, const ros::Time& stamp);
 

@@ -12,11 +12,12 @@
 namespace map_matcher {
 
 /// Fills the fields that `parameters` points at from the private parameters of `node`; what is not set keeps its value.
-/// Returns one line for each parameter of a wrong type or out of its range: "~name is VALUE, expected RANGE".
+/// Returns one line for each parameter of a wrong type or out of its range: "~name is VALUE, expected RANGE"; its field
+/// keeps its value. A whole number serves as a double, but not the other way round.
 std::vector<std::string> readParameters(const ros::NodeHandle& node, const ParameterList& parameters);
 
-/// Names set under `node` that are not in `parameters`, each with the nearest known name when one is close: misspelt
-/// ones.
+/// One line for each name set under `node` that is not in `parameters`, most likely a misspelt one: "~name is VALUE,
+/// but there is no such parameter; did you mean ~NAME?", the last part when a known name is close.
 std::vector<std::string> unknownParameters(const ros::NodeHandle& node, const ParameterList& parameters);
 
 }  // namespace map_matcher

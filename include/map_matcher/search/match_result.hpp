@@ -30,6 +30,7 @@ struct StageReport {
   bool answered = false;                 ///< Whether a pose reached the stage's acceptance ratio.
   double resolution = 0.0;               ///< Edge length of the stage's cells [m].
   int rotations = 0;                     ///< Rotations of the session map that were searched, eq. 4.3.
+  double rotation_step = 0.0;            ///< Angle between two of them, eq. 4.2 [rad].
   int matched_cells = 0;                 ///< Session cells of the stage on walls at its best pose [cells].
   int total_cells = 0;                   ///< Session cells of the stage [cells].
   double ratio = 0.0;                    ///< matched_cells / total_cells of the stage's best pose.

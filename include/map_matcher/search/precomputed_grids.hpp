@@ -10,10 +10,10 @@
 
 namespace map_matcher {
 
-/// Rows that the scoring kernel reads at once.
-constexpr int kTileRows = 4;
-/// Columns that the scoring kernel reads at once.
-constexpr int kTileColumns = 64;
+/// Most columns of translations that the scoring kernel counts at once.
+constexpr int kMaxTileColumns = 64;
+/// Most rows of translations that the scoring kernel counts at once.
+constexpr int kMaxTileRows = 16;
 
 /// One level of the pooled reference map. The value at (x, y) is 1 when a wall lies in the window
 /// [x, x + 2^level) x [y, y + 2^level) and 0 otherwise: a sliding window at full resolution, so that a node's score is
@@ -34,12 +34,13 @@ class PooledLevel {
   /// Value at a position [cells], which may lie outside the map.
   std::uint8_t at(int x, int y) const { return values_[address(x, y)]; }
 
-  /// Where the tile begins whose first value is that of a position. The following kTileColumns - 1 bytes are the values
-  /// one stride further along x each; `rowStride()` bytes on is the next row, one stride along y, kTileRows in all.
+  /// Where the tile begins whose first value is that of a position. The following kMaxTileColumns - 1 bytes are the
+  /// values one stride further along x each; `rowStride()` bytes on is the next row, one stride along y, kMaxTileRows
+  /// in all.
   std::uint32_t address(int x, int y) const {
     const int mask = (1 << level_) - 1;
-    const int i = clampTo(x >> level_, -kTileColumns - 1, columns_);
-    const int j = clampTo(y >> level_, -kTileRows - 1, rows_);
+    const int i = clampTo(x >> level_, -kMaxTileColumns - 1, columns_);
+    const int j = clampTo(y >> level_, -kMaxTileRows - 1, rows_);
     const int phase = ((y & mask) << level_) + (x & mask);
     return static_cast<std::uint32_t>(origin_ + phase * phase_size_ + j * row_stride_ + i);
   }

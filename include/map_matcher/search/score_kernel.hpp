@@ -12,8 +12,17 @@
 
 namespace map_matcher {
 
-/// Matched cells for kTileRows x kTileColumns translations on the stride of a level, row by row.
-using TileCounts = std::array<std::int32_t, static_cast<std::size_t>(kTileRows) * kTileColumns>;
+/// Shape of a tile: how many translations are counted at once.
+enum class TileShape {
+  kWide,    ///< 64 columns of 8 rows, for windows as large as a building.
+  kNarrow,  ///< 16 columns of 16 rows, for the small window of the fine stage.
+};
+
+constexpr int tileColumns(TileShape shape) { return shape == TileShape::kWide ? kMaxTileColumns : 16; }
+constexpr int tileRows(TileShape shape) { return shape == TileShape::kWide ? 8 : kMaxTileRows; }
+
+/// Matched cells for the translations of a tile on the stride of a level, row by row.
+using TileCounts = std::array<std::int32_t, 512>;
 
 /// Instruction sets the tile kernel is built for.
 enum class KernelVariant {
@@ -25,25 +34,25 @@ enum class KernelVariant {
 /// Variants that this processor can run; the last is the fastest.
 std::vector<KernelVariant> availableKernelVariants();
 
-/// Counts the matched cells of tiles of translations. Holds scratch memory; one per thread.
-class TileScorer {
+/// Counts the matched cells of many translations. Stateless, hence thread-safe.
+class ScoreKernel {
  public:
-  explicit TileScorer(KernelVariant variant = availableKernelVariants().back());
+  explicit ScoreKernel(KernelVariant variant = availableKernelVariants().back());
 
   /// For each translation (first.x + column * stride, first.y + row * stride) of a tile: how many of the cells, moved
   /// by it, have value 1 in the level. Returns false, with the counts undefined, as soon as no translation of the tile
   /// can reach `min_count` any more.
-  bool score(const PooledLevel& level, const RotatedCells& cells, const Cell& first, std::int32_t min_count,
-             TileCounts& counts);
+  bool scoreTile(TileShape shape, const PooledLevel& level, const RotatedCells& cells, const Cell& first,
+                 std::int32_t min_count, TileCounts& counts) const;
+
+  /// The same for the four translations first + {0, stride} x {0, stride}: (0, 0), (1, 0), (0, 1), (1, 1).
+  bool scoreChildren(const PooledLevel& level, const RotatedCells& cells, const Cell& first, std::int32_t min_count,
+                     std::array<std::int32_t, 4>& counts) const;
+
+  struct Functions;
 
  private:
-  KernelVariant variant_;
-  std::vector<std::uint32_t> addresses_;
+  const Functions* functions_;
 };
-
-/// Matched cells for the four translations first + {0, stride} x {0, stride} of a level: (0, 0), (1, 0), (0, 1), (1,
-/// 1). Returns false, with the counts undefined, as soon as none of them can reach `min_count` any more.
-bool scoreChildren(const PooledLevel& level, const RotatedCells& cells, const Cell& first, std::int32_t min_count,
-                   std::array<std::int32_t, 4>& counts);
 
 }  // namespace map_matcher

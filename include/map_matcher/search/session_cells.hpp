@@ -25,14 +25,15 @@ struct SessionCells {
 /// How session cells become points of a stage.
 enum class CellMerging {
   kNone,   ///< Each session cell is a point of its own, at its centre.
-  kMerge,  ///< Session cells that fall into the same, larger cell of the stage are one point at its middle: the max
-           ///< operator of report section 3.1.
+  kMerge,  ///< Session cells that fall into the same, larger cell of the stage are one point (the max operator of
+           ///< report section 3.1), which lies at their mean: the middle of the larger cell would be up to half of it
+           ///< off the wall.
 };
 
 /// The session cells for a stage of a resolution [m]. The size of the session map is that of the bounding box of its
 /// occupied cells, since slam_gmapping's map has a wide unknown border. `sample_threshold` > 0 keeps at most so many of
-/// the points, always the same ones for the same cells. The points come in a fixed shuffled order, so that any leading
-/// part of them is a fair sample of the whole. `cells` must not be empty.
+/// the points, always the same ones for the same cells. The points come in a fixed order: neighbourhoods of points that
+/// lie beside each other, the neighbourhoods shuffled. `cells` must not be empty.
 SessionCells prepareSessionCells(const std::vector<Cell>& cells, double map_resolution, double resolution,
                                  CellMerging merging, int sample_threshold);
 

@@ -1,0 +1,58 @@
+/// \file
+/// Draws beams into a grid by counting.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "map_matcher/grid/occupancy_grid.hpp"
+#include "map_matcher/mapping/beams.hpp"
+
+namespace map_matcher {
+
+/// A rectangle of a frame [m].
+struct Extent {
+  Eigen::Vector2d min{0.0, 0.0};  ///< Lower left corner [m].
+  Eigen::Vector2d max{0.0, 0.0};  ///< Upper right corner [m].
+};
+
+/// Counts for every cell how many beams crossed it or ended in it, and how many ended in it at a wall. The quotient is
+/// slam_gmapping's measure of occupancy. Cell (i, j) covers [i, i + 1) x [j, j + 1) cells of the frame, exactly: the
+/// lines of the grid are the multiples of the resolution, however much it has grown, and a point becomes a cell by
+/// floor. (slam_gmapping's own map lies half a cell off.)
+class HitCountingGrid {
+ public:
+  static constexpr std::int64_t kMaxCells = 100'000'000;  ///< It never grows beyond this many cells (400 MB).
+
+  /// Covers `extent`, rounded outwards to whole cells, with cells that nobody has seen. Throws std::invalid_argument
+  /// when the resolution is not positive and finite, the extent is not finite or empty, or it takes more than
+  /// kMaxCells.
+  HitCountingGrid(double resolution, const Extent& extent);
+
+  /// Draws the beams of a fan, given in the frame of the grid, and grows the grid by multiples of 32 cells where they
+  /// leave it. Returns false, and draws nothing, when it would have to grow beyond kMaxCells.
+  bool draw(const BeamFan& fan);
+
+  /// The counts as a map: kUnknown where no beam came, kOccupied where hits / visits > `occupied_threshold` [0 to 1],
+  /// kFree elsewhere. Its origin has yaw 0.
+  OccupancyGrid toOccupancyGrid(double occupied_threshold) const;
+
+ private:
+  struct Counts {
+    std::uint16_t hits = 0;    // beams that ended here at a wall
+    std::uint16_t visits = 0;  // beams that crossed this cell or ended here
+  };
+
+  Cell latticeCell(const Eigen::Vector2d& point) const;
+  bool growTo(const Cell& lower, const Cell& upper);
+  void drawBeam(const Eigen::Vector2d& origin, const Beam& beam);
+  Counts& at(const Cell& lattice_cell);
+
+  double resolution_;
+  Cell first_;  // lattice index of the lower left cell
+  int width_;
+  int height_;
+  std::vector<Counts> counts_;  // row-major from the lower left
+};
+
+}  // namespace map_matcher

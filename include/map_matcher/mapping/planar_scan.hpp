@@ -1,0 +1,31 @@
+/// \file
+/// One revolution of a planar laser and how the laser sits on the robot.
+#pragma once
+
+#include <vector>
+
+#include "map_matcher/grid/rigid2.hpp"
+
+namespace map_matcher {
+
+/// Ranges of a planar laser, as sensor_msgs/LaserScan has them. Beam i points along angle_min + i * angle_increment in
+/// the laser frame, counter-clockwise about the laser's z axis.
+struct PlanarScan {
+  double angle_min = 0.0;        ///< Direction of the first beam [rad].
+  double angle_increment = 0.0;  ///< Between beams [rad]; negative for a laser that turns clockwise, never 0.
+  double range_min = 0.0;        ///< Shortest range the laser measures [m], at least 0.
+  double range_max = 0.0;        ///< Longest range the laser measures [m], above range_min.
+  std::vector<float> ranges;     ///< [m]; inf, nan and values outside [range_min, range_max] are allowed (castBeams).
+
+  /// Throws std::invalid_argument, with the name and value of the offending field, unless angles and limits are finite
+  /// and in order and there is at least one range.
+  void validate() const;
+};
+
+/// How a laser sits on the robot. It scans in a plane parallel to the floor.
+struct LaserMount {
+  Rigid2 T_base_laser;       ///< Pose of the laser in the base frame, seen from above.
+  bool upside_down = false;  ///< Whether its z axis points down, so that its beams turn clockwise seen from above.
+};
+
+}  // namespace map_matcher

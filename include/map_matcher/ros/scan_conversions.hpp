@@ -1,0 +1,26 @@
+/// \file
+/// Laser scans and their transforms from ROS messages.
+#pragma once
+
+#include <geometry_msgs/Transform.h>
+#include <sensor_msgs/LaserScan.h>
+
+#include <string>
+
+#include "map_matcher/mapping/planar_scan.hpp"
+
+namespace map_matcher {
+
+/// The scan of a message. Throws MessageError that names the field, its value and what was expected.
+PlanarScan fromMessage(const sensor_msgs::LaserScan& message);
+
+/// How a laser sits on the robot, from the transform base <- laser. Throws MessageError for a transform that is not
+/// finite, a quaternion that is not normalised, and a laser whose scan plane is tilted by more than about 2.5 degrees
+/// (slam_gmapping's limit).
+LaserMount laserMountFrom(const geometry_msgs::Transform& T_base_laser);
+
+/// The part of a transform in the plane: x, y and yaw; height, roll and pitch are dropped, as slam_gmapping does with
+/// odometry. Throws MessageError, naming `name`, for a transform that is not finite or not normalised.
+Rigid2 projectToPlane(const geometry_msgs::Transform& transform, const std::string& name);
+
+}  // namespace map_matcher

@@ -1,0 +1,10 @@
+// Matches session maps to the reference map and broadcasts how they lie in it.
+
+#include "map_matcher/ros/map_matcher_server.hpp"
+#include "map_matcher/ros/names.hpp"
+#include "map_matcher/ros/run_node.hpp"
+
+int main(int argc, char** argv) {
+  using namespace map_matcher;
+  return runNode<MapMatcherServer, MapMatcherServerOptions>(argc, argv, names::kNode);
+}

@@ -1,0 +1,219 @@
+#include "map_matcher/ros/bag_mapping.hpp"
+
+#include <rosbag/bag.h>
+#include <rosbag/view.h>
+#include <tf2/exceptions.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <deque>
+#include <map>
+#include <sstream>
+
+#include "map_matcher/ros/conversions.hpp"
+
+namespace map_matcher {
+namespace {
+
+const ros::Duration kTfPatience(1.0);  // how long after a scan its transforms may come
+const ros::Duration kTfHistory(30.0);  // transforms kept
+const char* const kScanType = "sensor_msgs/LaserScan";
+
+/// Topics of a bag with their types.
+using Topics = std::map<std::string, std::string>;
+
+Topics topicsOf(const rosbag::Bag& bag) {
+  rosbag::View view(bag);
+  Topics topics;
+  for (const rosbag::ConnectionInfo* connection : view.getConnections()) {
+    topics[connection->topic] = connection->datatype;
+  }
+  return topics;
+}
+
+std::string listed(const Topics& topics) {
+  std::string text;
+  for (const auto& [topic, type] : topics) {
+    text += (text.empty() ? "" : ", ") + topic + " (" + type + ")";
+  }
+  return text.empty() ? "nothing" : text;
+}
+
+/// The topic of the scans: the one asked for, or the only one.
+std::string chooseScanTopic(const std::string& bag, const Topics& topics, const std::string& asked) {
+  if (!asked.empty()) {
+    const auto found = topics.count(asked) > 0 ? topics.find(asked) : topics.find("/" + asked);
+    if (found == topics.end()) {
+      throw BagError("bag '" + bag + "' has no topic '" + asked + "'; it has " + listed(topics));
+    }
+    if (found->second != kScanType) {
+      throw BagError("topic '" + found->first + "' of bag '" + bag + "' is " + found->second + ", expected " +
+                     kScanType + "; the bag has " + listed(topics));
+    }
+    return found->first;
+  }
+  Topics scans;
+  for (const auto& [topic, type] : topics) {
+    if (type == kScanType) {
+      scans[topic] = type;
+    }
+  }
+  if (scans.empty()) {
+    throw BagError("bag '" + bag + "' has no topic of " + kScanType + "; it has " + listed(topics));
+  }
+  if (scans.size() > 1) {
+    throw BagError("bag '" + bag + "' has several topics of " + kScanType +
+                   ", expected the choice of one: " + listed(scans));
+  }
+  return scans.begin()->first;
+}
+
+void open(rosbag::Bag& bag, const std::string& path) {
+  try {
+    bag.open(path, rosbag::bagmode::Read);
+  } catch (const rosbag::BagUnindexedException&) {
+    throw BagError("bag '" + path + "' has no index, expected a bag that was closed; rosbag reindex repairs it");
+  } catch (const rosbag::BagException& error) {
+    throw BagError("bag '" + path + "' cannot be read: " + error.what());
+  }
+}
+
+struct WaitingScan {
+  sensor_msgs::LaserScan::ConstPtr scan;
+  ros::Time recorded;
+};
+
+/// Goes through a bag once. Scans wait until their transforms have come.
+class BagMapping {
+ public:
+  BagMapping(const BagMappingRequest& request, const std::function<void(const SessionSnapshot&)>& on_map)
+      : request_(request), on_map_(on_map), mapping_(request.options), tf_(kTfHistory) {
+    open(bag_, request.bag);
+    const Topics topics = topicsOf(bag_);
+    result_.scan_topic = chooseScanTopic(request.bag, topics, request.scan_topic);
+    if (topics.count("/tf") == 0) {
+      throw BagError("bag '" + request.bag + "' has no /tf, expected the transforms from " +
+                     request.options.odom_frame + " to the laser; it has " + listed(topics));
+    }
+    rosbag::View all(bag_);
+    result_.begin = all.getBeginTime();
+    checkTimes(all.getEndTime() - all.getBeginTime());
+  }
+
+  BagMappingResult run() {
+    readStaticTransforms();
+    const ros::Time first = result_.begin + ros::Duration(std::max(0.0, request_.from - kTfPatience.toSec()));
+    rosbag::View view(bag_, rosbag::TopicQuery({std::string("/tf"), result_.scan_topic}), first, last());
+    for (const rosbag::MessageInstance& message : view) {
+      if (const auto transforms = message.instantiate<tf2_msgs::TFMessage>()) {
+        take(*transforms, false);
+      } else if (const auto scan = message.instantiate<sensor_msgs::LaserScan>()) {
+        enqueue(scan, message.getTime());
+      }
+      drainQueue(message.getTime() - kTfPatience);
+    }
+    drainQueue(ros::TIME_MAX);
+    finish();
+    return result_;
+  }
+
+ private:
+  ros::Time last() const {
+    return request_.until ? result_.begin + ros::Duration(*request_.until) + kTfPatience : ros::TIME_MAX;
+  }
+
+  void checkTimes(const ros::Duration& duration) const {
+    if (!(request_.from >= 0.0) || request_.from > duration.toSec()) {
+      throw BagError("the begin is " + std::to_string(request_.from) + " s, expected 0 to " +
+                     std::to_string(duration.toSec()) + " s, as long as bag '" + request_.bag + "' lasts");
+    }
+    if (request_.until && !(*request_.until > request_.from && *request_.until < 1e9)) {
+      throw BagError("the end is " + std::to_string(*request_.until) + " s, expected more than the begin, " +
+                     std::to_string(request_.from) + " s");
+    }
+  }
+
+  void readStaticTransforms() {
+    rosbag::View view(bag_, rosbag::TopicQuery(std::string("/tf_static")));
+    for (const rosbag::MessageInstance& message : view) {
+      if (const auto transforms = message.instantiate<tf2_msgs::TFMessage>()) {
+        take(*transforms, true);
+      }
+    }
+  }
+
+  void take(const tf2_msgs::TFMessage& message, bool is_static) {
+    for (geometry_msgs::TransformStamped transform : message.transforms) {
+      transform.header.frame_id = withoutLeadingSlash(transform.header.frame_id);
+      transform.child_frame_id = withoutLeadingSlash(transform.child_frame_id);
+      tf_.setTransform(transform, "bag", is_static);
+    }
+  }
+
+  void enqueue(const sensor_msgs::LaserScan::ConstPtr& scan, const ros::Time& recorded) {
+    const double time = (recorded - result_.begin).toSec();
+    if (time >= request_.from && (!request_.until || time <= *request_.until)) {
+      ++result_.scans;
+      queue_.push_back({scan, recorded});
+    }
+  }
+
+  /// Hands over the scans whose transforms are there, and gives up those recorded before `deadline`.
+  void drainQueue(const ros::Time& deadline) {
+    for (; !queue_.empty(); queue_.pop_front()) {
+      try {
+        add(*queue_.front().scan);
+      } catch (const tf2::TransformException& error) {
+        if (queue_.front().recorded >= deadline) {
+          return;
+        }
+        ++result_.scans_without_tf;
+        result_.last_problem = error.what();
+      } catch (const std::runtime_error& error) {
+        ++result_.scans_refused;
+        result_.last_problem = error.what();
+      }
+    }
+  }
+
+  void add(const sensor_msgs::LaserScan& scan) {
+    const MappingUpdate update = mapping_.addScan(scan, tf_);
+    result_.path.push_back({scan.header.stamp.toSec(), mapping_.mapper().T_session_base()});
+    result_.scans_drawn += update.report.outcome == ScanOutcome::kDrawn ? 1 : 0;
+    result_.scans_not_fitting += update.report.outcome == ScanOutcome::kNotFitting ? 1 : 0;
+    drawn_since_map_ = drawn_since_map_ || update.report.outcome == ScanOutcome::kDrawn;
+    if (update.snapshot) {
+      on_map_(*update.snapshot);
+      drawn_since_map_ = false;
+    }
+  }
+
+  void finish() {
+    if (result_.scans_drawn == 0) {
+      std::ostringstream text;
+      text << "bag '" << request_.bag << "': none of the " << result_.scans << " scans of " << result_.scan_topic
+           << " could be drawn";
+      text << (result_.last_problem.empty() ? "" : ": " + result_.last_problem);
+      throw BagError(text.str());
+    }
+    if (drawn_since_map_) {
+      on_map_(*mapping_.snapshot());
+    }
+  }
+
+  const BagMappingRequest& request_;
+  const std::function<void(const SessionSnapshot&)>& on_map_;
+  SessionMapping mapping_;
+  tf2::BufferCore tf_;
+  rosbag::Bag bag_;
+  std::deque<WaitingScan> queue_;
+  BagMappingResult result_;
+  bool drawn_since_map_ = false;
+};
+
+}  // namespace
+
+BagMappingResult mapBag(const BagMappingRequest& request, const std::function<void(const SessionSnapshot&)>& on_map) {
+  return BagMapping(request, on_map).run();
+}
+
+}  // namespace map_matcher

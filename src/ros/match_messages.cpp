@@ -1,0 +1,109 @@
+#include "map_matcher/ros/match_messages.hpp"
+
+#include <algorithm>
+
+#include "map_matcher/ros/conversions.hpp"
+
+namespace map_matcher {
+namespace {
+
+std::uint8_t statusConstant(MatchStatus status) {
+  switch (status) {
+    case MatchStatus::kMatched:
+      return MapMatch::MATCHED;
+    case MatchStatus::kBelowAcceptanceRatio:
+      return MapMatch::BELOW_ACCEPTANCE_RATIO;
+    case MatchStatus::kNoReference:
+      return MapMatch::NO_REFERENCE;
+    case MatchStatus::kEmptyReference:
+      return MapMatch::EMPTY_REFERENCE;
+    case MatchStatus::kTooFewSessionCells:
+      return MapMatch::TOO_FEW_SESSION_CELLS;
+    case MatchStatus::kSessionTooLarge:
+      return MapMatch::SESSION_TOO_LARGE;
+    case MatchStatus::kStopped:
+      break;
+  }
+  return MapMatch::STOPPED;
+}
+
+const char* refusalText(std::uint8_t status) {
+  switch (status) {
+    case MapMatch::EQUAL_FRAMES:
+      return "equal_frames";
+    case MapMatch::INVALID_REQUEST:
+      return "invalid_request";
+    default:
+      return "invalid_map";
+  }
+}
+
+MatchStage toMessage(const StageReport& stage) {
+  MatchStage message;
+  message.name = stage.name;
+  message.answered = stage.answered;
+  message.resolution = stage.resolution;
+  message.rotations = stage.rotations;
+  message.rotation_step = stage.rotation_step;
+  message.matched_cells = stage.matched_cells;
+  message.total_cells = stage.total_cells;
+  message.ratio = stage.ratio;
+  message.nodes_scored = stage.nodes_scored;
+  message.nodes_expanded = stage.nodes_expanded;
+  message.initialization_time = stage.initialization_time;
+  message.rotation_expansion_time = stage.rotation_expansion_time;
+  message.depth_first_search_time = stage.depth_first_search_time;
+  return message;
+}
+
+/// Variance of a quantity that is spread evenly over an interval.
+double evenVariance(double interval) { return interval * interval / 12.0; }
+
+}  // namespace
+
+MapMatch toMessage(const MatchResult& result) {
+  MapMatch message;
+  message.status = statusConstant(result.status);
+  message.status_text = toString(result.status);
+  message.reason = result.reason;
+  const Rigid2 T_reference_session = result.matched() ? result.T_reference_session : Rigid2{};
+  message.T_reference_session = toTransformMessage(T_reference_session);
+  message.x = T_reference_session.x;
+  message.y = T_reference_session.y;
+  message.yaw = T_reference_session.yaw;
+  message.refined = result.refined;
+  message.matched_cells = result.matched_cells;
+  message.total_cells = result.total_cells;
+  message.ratio = result.ratio;
+  for (const StageReport& stage : result.stages) {
+    message.stages.push_back(toMessage(stage));
+  }
+  message.search_time = result.search_time;
+  message.reference_time = result.reference_time;
+  return message;
+}
+
+MapMatch refusal(std::uint8_t status, const std::string& reason) {
+  MapMatch message;
+  message.status = status;
+  message.status_text = refusalText(status);
+  message.reason = reason;
+  message.T_reference_session = toTransformMessage(Rigid2{});
+  return message;
+}
+
+geometry_msgs::PoseWithCovariance robotPose(const MapMatch& match, const Rigid2& T_session_base) {
+  constexpr std::size_t kRow = 6;
+  geometry_msgs::PoseWithCovariance pose;
+  pose.pose = toPoseMessage(Rigid2{match.x, match.y, match.yaw} * T_session_base);
+  const auto answered =
+      std::find_if(match.stages.rbegin(), match.stages.rend(), [](const MatchStage& stage) { return stage.answered; });
+  if (answered != match.stages.rend()) {
+    pose.covariance[0 * kRow + 0] = evenVariance(answered->resolution);
+    pose.covariance[1 * kRow + 1] = evenVariance(answered->resolution);
+    pose.covariance[5 * kRow + 5] = evenVariance(answered->rotation_step);
+  }
+  return pose;
+}
+
+}  // namespace map_matcher

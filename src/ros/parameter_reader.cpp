@@ -1,0 +1,162 @@
+#include "map_matcher/ros/parameter_reader.hpp"
+
+#include <ros/param.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <sstream>
+#include <string_view>
+#include <type_traits>
+
+namespace map_matcher {
+namespace {
+
+using XmlRpc::XmlRpcValue;
+
+/// A value of the parameter server as it would stand in YAML.
+std::string textOf(const XmlRpcValue& value) {
+  std::ostringstream text;
+  XmlRpcValue copy = value;  // its conversions are not const
+  switch (value.getType()) {
+    case XmlRpcValue::TypeString:
+      text << '"' << static_cast<std::string&>(copy) << '"';
+      break;
+    case XmlRpcValue::TypeBoolean:
+      text << (static_cast<bool&>(copy) ? "true" : "false");
+      break;
+    case XmlRpcValue::TypeDouble:
+      text << static_cast<double&>(copy);
+      text << (text.str().find_first_not_of("-0123456789") == std::string::npos ? ".0" : "");
+      break;
+    case XmlRpcValue::TypeArray:
+      text << "a list";
+      break;
+    case XmlRpcValue::TypeStruct:
+      text << "a group of parameters";
+      break;
+    default:
+      value.write(text);
+  }
+  return text.str();
+}
+
+/// The value as a T, or nothing when it is of another type; a whole number serves as a double.
+template <typename T>
+std::optional<T> as(const XmlRpcValue& value) {
+  XmlRpcValue copy = value;  // its conversions are not const
+  const XmlRpcValue::Type type = value.getType();
+  if constexpr (std::is_same_v<T, bool>) {
+    return type == XmlRpcValue::TypeBoolean ? std::optional<T>(static_cast<bool&>(copy)) : std::nullopt;
+  } else if constexpr (std::is_same_v<T, std::string>) {
+    return type == XmlRpcValue::TypeString ? std::optional<T>(static_cast<std::string&>(copy)) : std::nullopt;
+  } else {
+    if (type == XmlRpcValue::TypeInt) {
+      return static_cast<T>(static_cast<int&>(copy));
+    }
+    if constexpr (std::is_same_v<T, double>) {
+      return type == XmlRpcValue::TypeDouble ? std::optional<T>(static_cast<double&>(copy)) : std::nullopt;
+    }
+    return std::nullopt;
+  }
+}
+
+const char* typeText(const Parameter& parameter) {
+  if (std::holds_alternative<bool*>(parameter.value)) {
+    return "";  // its range says it: true | false
+  }
+  if (std::holds_alternative<int*>(parameter.value)) {
+    return "a whole number: ";
+  }
+  return std::holds_alternative<double*>(parameter.value) ? "a number: " : "a text: ";
+}
+
+std::string wrongType(const Parameter& parameter, const XmlRpcValue& value) {
+  return parameter.name + " is " + textOf(value) + ", expected " + typeText(parameter) + rangeText(parameter) +
+         (parameter.unit.empty() ? "" : " " + parameter.unit);
+}
+
+/// Writes `value` to the parameter's field unless it is of a wrong type or out of range, which it tells.
+std::string assign(const Parameter& parameter, const XmlRpcValue& value) {
+  return std::visit(
+      [&](auto* field) -> std::string {
+        using Field = std::remove_pointer_t<decltype(field)>;
+        const std::optional<Field> typed = as<Field>(value);
+        if (!typed) {
+          return wrongType(parameter, value);
+        }
+        const Field before = *field;
+        *field = *typed;
+        const std::string problem = problemWith(parameter);
+        if (!problem.empty()) {
+          *field = before;
+        }
+        return problem;
+      },
+      parameter.value);
+}
+
+/// Number of insertions, deletions and replacements of characters that turn one text into the other.
+std::size_t editDistance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, replaced});
+    }
+  }
+  return row.back();
+}
+
+/// The known name that `name` was most likely meant to be; none when all differ by more than a third of their letters.
+std::optional<std::string> nearestName(const std::string& name, const ParameterList& parameters) {
+  const auto distance = [&name](const Parameter& known) { return editDistance(name, known.name); };
+  const auto nearest = std::min_element(parameters.begin(), parameters.end(),
+                                        [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
+  if (nearest == parameters.end() || 3 * distance(*nearest) > std::max(name.size(), nearest->name.size())) {
+    return std::nullopt;
+  }
+  return nearest->name;
+}
+
+}  // namespace
+
+std::vector<std::string> readParameters(const ros::NodeHandle& node, const ParameterList& parameters) {
+  std::vector<std::string> problems;
+  for (const Parameter& parameter : parameters) {
+    XmlRpcValue value;
+    if (!node.getParam(parameter.name, value)) {
+      continue;
+    }
+    const std::string problem = assign(parameter, value);
+    if (!problem.empty()) {
+      problems.push_back("~" + problem);
+    }
+  }
+  return problems;
+}
+
+std::vector<std::string> unknownParameters(const ros::NodeHandle& node, const ParameterList& parameters) {
+  XmlRpcValue all;
+  std::vector<std::string> unknown;
+  if (!ros::param::get(node.getNamespace(), all) || all.getType() != XmlRpcValue::TypeStruct) {
+    return unknown;
+  }
+  for (const auto& [name, value] : all) {
+    const auto has_name = [&name = name](const Parameter& parameter) { return parameter.name == name; };
+    if (std::any_of(parameters.begin(), parameters.end(), has_name)) {
+      continue;
+    }
+    const std::optional<std::string> nearest = nearestName(name, parameters);
+    unknown.push_back("~" + name + " is " + textOf(value) + ", but there is no such parameter" +
+                      (nearest ? "; did you mean ~" + *nearest + "?" : ""));
+  }
+  return unknown;
+}
+
+}  // namespace map_matcher

@@ -1,0 +1,83 @@
+#include "map_matcher/ros/reference_matcher.hpp"
+
+#include <cstdint>
+#include <string>
+
+#include "map_matcher/ros/conversions.hpp"
+#include "map_matcher/ros/match_messages.hpp"
+
+namespace map_matcher {
+namespace {
+
+/// Copies what is known about a match before its search.
+void fillFrames(MapMatch& report, const ReferenceMapPtr& reference, const nav_msgs::OccupancyGrid& session) {
+  report.reference_frame = reference ? reference->frame : "";
+  report.header.frame_id = report.reference_frame;
+  report.session_frame = frameName(session.header.frame_id);
+  report.session_stamp = session.header.stamp;
+}
+
+}  // namespace
+
+MatchResult ReferenceMatcher::search(const ReferenceMapPtr& reference, const OccupancyGrid& session,
+                                     const MatchPrior& prior, const StopToken& stop) {
+  if (!reference) {
+    MatchResult result;
+    result.status = MatchStatus::kNoReference;
+    result.reason = "there is no reference map yet";
+    return result;
+  }
+  if (reference != reference_) {
+    matcher_.setReference(reference->grid);
+    reference_ = reference;
+  }
+  return matcher_.match(session, prior, stop);
+}
+
+SessionMatch ReferenceMatcher::match(const ReferenceMapPtr& reference, const nav_msgs::OccupancyGrid& session,
+                                     const MatchPrior& prior, const StopToken& stop) {
+  SessionMatch match;
+  try {
+    frameOf(session.header);
+    const OccupancyGrid grid = fromMessage(session);
+    const MatchResult result = search(reference, grid, prior, stop);
+    match.report = toMessage(result);
+    match.resolution = grid.resolution();
+    if (result.matched()) {
+      match.cells = splitByMatch(reference->grid, grid, result.T_reference_session,
+                                 static_cast<std::int8_t>(options().occupied_threshold));
+    }
+  } catch (const MessageError& error) {
+    match.report = refusal(MapMatch::INVALID_MAP, error.what());
+  }
+  fillFrames(match.report, reference, session);
+  return match;
+}
+
+SessionMatch matchForBroadcast(ReferenceMatcher& matcher, const ReferenceMapPtr& reference,
+                               const nav_msgs::OccupancyGrid& session, const StopToken& stop) {
+  if (!reference || frameName(session.header.frame_id) != reference->frame) {
+    return matcher.match(reference, session, {}, stop);
+  }
+  SessionMatch refused;
+  refused.report = refusal(MapMatch::EQUAL_FRAMES,
+                           "the session map and the reference map are both in the frame \"" + reference->frame +
+                               "\", expected two: let the mapper use another one (slam_gmapping: _map_frame:="
+                               "session_map) or, for a map read from a file, set ~reference_frame");
+  fillFrames(refused.report, reference, session);
+  return refused;
+}
+
+bool isUnusable(const MapMatch& report) {
+  switch (report.status) {
+    case MapMatch::TOO_FEW_SESSION_CELLS:
+    case MapMatch::SESSION_TOO_LARGE:
+    case MapMatch::INVALID_MAP:
+    case MapMatch::EQUAL_FRAMES:
+      return true;
+    default:
+      return false;
+  }
+}
+
+}  // namespace map_matcher

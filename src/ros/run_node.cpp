@@ -1,0 +1,24 @@
+#include "map_matcher/ros/run_node.hpp"
+
+#include <ros/console.h>
+
+#include <string>
+
+#include "map_matcher/ros/parameter_reader.hpp"
+
+namespace map_matcher {
+
+bool loadParameters(const ros::NodeHandle& private_node, const ParameterList& parameters) {
+  const std::vector<std::string> problems = readParameters(private_node, parameters);
+  for (const std::string& problem : problems) {
+    ROS_ERROR_STREAM(problem);
+  }
+  for (const std::string& unknown : unknownParameters(private_node, parameters)) {
+    ROS_WARN_STREAM(unknown);
+  }
+  return problems.empty();
+}
+
+void logFatal(const std::exception& error) { ROS_FATAL_STREAM(error.what()); }
+
+}  // namespace map_matcher

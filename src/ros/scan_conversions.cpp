@@ -1,0 +1,66 @@
+#include "map_matcher/ros/scan_conversions.hpp"
+
+#include <tf2/LinearMath/Matrix3x3.h>
+#include <tf2/LinearMath/Quaternion.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "map_matcher/ros/conversions.hpp"
+
+namespace map_matcher {
+namespace {
+
+constexpr double kQuaternionTolerance = 1e-3;  // deviation of the norm from one
+constexpr double kTiltTolerance = 1e-3;        // deviation of the laser's z axis from vertical, as 1 - |cosine|
+
+tf2::Matrix3x3 rotationOf(const geometry_msgs::Transform& transform, const std::string& name) {
+  const auto& t = transform.translation;
+  if (!std::isfinite(t.x) || !std::isfinite(t.y) || !std::isfinite(t.z)) {
+    throw MessageError(name + " has translation (" + std::to_string(t.x) + ", " + std::to_string(t.y) + ", " +
+                       std::to_string(t.z) + "), expected finite numbers");
+  }
+  const auto& q = transform.rotation;
+  const tf2::Quaternion quaternion(q.x, q.y, q.z, q.w);
+  const double norm = quaternion.length();
+  if (!(std::abs(norm - 1.0) <= kQuaternionTolerance)) {
+    throw MessageError(name + " has a quaternion of norm " + std::to_string(norm) + ", expected norm 1");
+  }
+  return tf2::Matrix3x3(quaternion.normalized());
+}
+
+double yawOf(const tf2::Matrix3x3& rotation) { return std::atan2(rotation[1][0], rotation[0][0]); }
+
+}  // namespace
+
+PlanarScan fromMessage(const sensor_msgs::LaserScan& message) {
+  PlanarScan scan;
+  scan.angle_min = static_cast<double>(message.angle_min);
+  scan.angle_increment = static_cast<double>(message.angle_increment);
+  scan.range_min = static_cast<double>(message.range_min);
+  scan.range_max = static_cast<double>(message.range_max);
+  scan.ranges = message.ranges;
+  try {
+    scan.validate();
+  } catch (const std::invalid_argument& error) {
+    throw MessageError(error.what());
+  }
+  return scan;
+}
+
+LaserMount laserMountFrom(const geometry_msgs::Transform& T_base_laser) {
+  const tf2::Matrix3x3 rotation = rotationOf(T_base_laser, "the mount of the laser");
+  const double up = rotation[2][2];  // vertical part of the laser's z axis
+  if (std::abs(std::abs(up) - 1.0) > kTiltTolerance) {
+    throw MessageError("the laser's z axis has a vertical part of " + std::to_string(up) +
+                       ", expected 1 (upright) or -1 (upside down): it has to scan parallel to the floor");
+  }
+  return {{T_base_laser.translation.x, T_base_laser.translation.y, yawOf(rotation)}, up < 0.0};
+}
+
+Rigid2 projectToPlane(const geometry_msgs::Transform& transform, const std::string& name) {
+  const tf2::Matrix3x3 rotation = rotationOf(transform, name);
+  return {transform.translation.x, transform.translation.y, yawOf(rotation)};
+}
+
+}  // namespace map_matcher

@@ -1,0 +1,100 @@
+#include "map_matcher/ros/session_mapping.hpp"
+
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+#include "map_matcher/ros/conversions.hpp"
+#include "map_matcher/ros/scan_conversions.hpp"
+
+namespace map_matcher {
+namespace {
+
+const ros::Duration kReorderTolerance(0.5);  // scans older than their predecessor by less are out of order
+
+}  // namespace
+
+std::string withoutLeadingSlash(const std::string& frame) {
+  return !frame.empty() && frame.front() == '/' ? frame.substr(1) : frame;
+}
+
+ParameterList parametersOf(SessionMappingOptions& options) {
+  ParameterList parameters = parametersOf(options.mapper);
+  parameters.push_back({"base_frame", "", "tf frame of the robot.", &options.base_frame});
+  parameters.push_back({"odom_frame", "", "tf frame of the odometry.", &options.odom_frame});
+  parameters.push_back(
+      {"throttle_scans", "", "Only every so many-th scan is looked at.", &options.throttle_scans, 1, 10000});
+  parameters.push_back({"map_update_interval", "s",
+                        "A map is published after a drawn scan when the last one is older than this.",
+                        &options.map_update_interval, 0.0, 3600.0});
+  return parameters;
+}
+
+SessionMapping::SessionMapping(const SessionMappingOptions& options) : options_(options), mapper_(options.mapper) {
+  options_.base_frame = withoutLeadingSlash(options.base_frame);
+  options_.odom_frame = withoutLeadingSlash(options.odom_frame);
+  SessionMappingOptions copy = options;
+  std::string problems;
+  for (const Parameter& parameter : parametersOf(copy)) {
+    const std::string problem = problemWith(parameter);
+    problems += problem.empty() ? "" : (problems.empty() ? "" : "; ") + problem;
+  }
+  if (!problems.empty()) {
+    throw std::invalid_argument(problems);
+  }
+}
+
+MappingUpdate SessionMapping::addScan(const sensor_msgs::LaserScan& scan, const tf2::BufferCore& tf) {
+  // Whatever can throw comes first: a scan whose transforms are still on their way may be handed in again.
+  const ros::Time stamp = scan.header.stamp;
+  const auto odometry = tf.lookupTransform(options_.odom_frame, options_.base_frame, stamp);
+  const auto mount = tf.lookupTransform(options_.base_frame, withoutLeadingSlash(scan.header.frame_id), stamp);
+  const Rigid2 T_odom_base = projectToPlane(odometry.transform, "the odometry");
+  const PlanarScan planar_scan = fromMessage(scan);
+  const LaserMount laser_mount = laserMountFrom(mount.transform);
+  MappingUpdate update;
+  update.new_session = beginSessionIfTimeJumped(stamp);
+  if (isThrottled()) {
+    update.report.reason = "throttle_scans leaves this scan out";
+    return update;
+  }
+  update.report = mapper_.addScan(T_odom_base, planar_scan, laser_mount);
+  last_used_ = stamp;
+  if (mapIsDue(update.report, stamp)) {
+    last_map_ = stamp;
+    update.snapshot = snapshot();
+  }
+  return update;
+}
+
+bool SessionMapping::beginSessionIfTimeJumped(const ros::Time& stamp) {
+  const bool jumped = stamp + kReorderTolerance < last_scan_;
+  if (jumped) {
+    mapper_.reset();
+    num_scans_ = 0;
+    last_map_.reset();
+  } else if (stamp < last_scan_) {
+    std::ostringstream text;
+    text << "the scan's stamp is " << stamp << ", expected at least that of its predecessor, " << last_scan_;
+    throw MessageError(text.str());
+  }
+  last_scan_ = stamp;
+  return jumped;
+}
+
+std::optional<SessionSnapshot> SessionMapping::snapshot() const {
+  auto map = mapper_.map();
+  if (!map) {
+    return std::nullopt;
+  }
+  return SessionSnapshot{last_used_, mapper_.T_session_base(), mapper_.T_session_odom(), std::move(*map)};
+}
+
+bool SessionMapping::isThrottled() { return num_scans_++ % options_.throttle_scans != 0; }
+
+bool SessionMapping::mapIsDue(const ScanReport& report, const ros::Time& stamp) const {
+  return report.outcome == ScanOutcome::kDrawn &&
+         (!last_map_ || stamp - *last_map_ > ros::Duration(options_.map_update_interval));
+}
+
+}  // namespace map_matcher

@@ -1,0 +1,116 @@
+// Draws the session map of a bag without a roscore.
+
+#include <CLI/CLI.hpp>
+#include <fstream>
+#include <iomanip>
+#include <iostream>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "map_matcher/grid/map_file.hpp"
+#include "map_matcher/grid/occupied_cells.hpp"
+#include "map_matcher/parameters/yaml_parameters.hpp"
+#include "map_matcher/ros/bag_mapping.hpp"
+#include "map_matcher/ros/session_mapper_server_options.hpp"
+
+namespace {
+
+using map_matcher::BagMappingRequest;
+using map_matcher::BagMappingResult;
+using map_matcher::SessionSnapshot;
+
+constexpr int kDrawn = 0;
+constexpr int kBadInput = 2;
+
+struct Arguments {
+  BagMappingRequest request;
+  std::string output = "session.yaml";
+  std::string trajectory;
+  std::string config;
+};
+
+/// Options from the configuration file; throws std::runtime_error with every problem in it.
+map_matcher::SessionMappingOptions readOptions(const std::string& config) {
+  map_matcher::SessionMapperServerOptions options;
+  if (config.empty()) {
+    return options.mapping;
+  }
+  const auto report = map_matcher::readYamlParameters(config, parametersOf(options));
+  for (const std::string& name : report.unknown) {
+    std::cerr << "map_bag: " << config << ": unknown parameter " << name << " has no effect\n";
+  }
+  std::string problems;
+  for (const std::string& problem : report.problems) {
+    problems += (problems.empty() ? "" : "\n") + problem;
+  }
+  if (!problems.empty()) {
+    throw std::runtime_error(problems);
+  }
+  return options.mapping;
+}
+
+void writeTrajectory(const std::string& path, const std::vector<map_matcher::StampedPose>& trajectory) {
+  std::ofstream file(path);
+  file << "time,x,y,yaw\n" << std::setprecision(15);
+  for (const auto& [time, pose] : trajectory) {
+    file << time << ',' << pose.x << ',' << pose.y << ',' << pose.yaw << '\n';
+  }
+  if (!file.flush()) {
+    throw std::runtime_error("trajectory file '" + path + "' cannot be written");
+  }
+}
+
+void printSummary(const BagMappingResult& result, const SessionSnapshot& last, const std::string& output) {
+  std::cout << result.scan_topic << ": " << result.scans << " scans, " << result.scans_drawn << " drawn, "
+            << result.scans_not_fitting << " did not fit, " << result.scans_without_tf << " without tf, "
+            << result.scans_refused << " refused\n";
+  if (!result.last_problem.empty()) {
+    std::cout << "last problem: " << result.last_problem << '\n';
+  }
+  std::cout << output << ": " << last.map.width() << " x " << last.map.height() << " cells of " << last.map.resolution()
+            << " m, " << occupiedCells(last.map).size() << " occupied, as of " << (last.stamp - result.begin).toSec()
+            << " s\n";
+}
+
+int run(Arguments arguments) {
+  arguments.request.options = readOptions(arguments.config);
+  std::optional<SessionSnapshot> last;
+  const BagMappingResult result =
+      mapBag(arguments.request, [&last](const SessionSnapshot& snapshot) { last = snapshot; });
+  map_matcher::saveMap(last->map, arguments.output);
+  if (!arguments.trajectory.empty()) {
+    writeTrajectory(arguments.trajectory, result.path);
+  }
+  printSummary(result, *last, arguments.output);
+  return kDrawn;
+}
+
+void describe(CLI::App& app, Arguments& arguments) {
+  app.add_option("--bag", arguments.request.bag, "bag with scans, /tf and perhaps /tf_static")->required();
+  app.add_option("--scan", arguments.request.scan_topic, "topic of the scans; default: the only one in the bag");
+  app.add_option("--from", arguments.request.from, "leave out what comes before [s since the bag begins]");
+  app.add_option("--until", arguments.request.until, "leave out what comes after [s since the bag begins]");
+  app.add_option("--output", arguments.output, "YAML file of the map; its image goes beside it")->capture_default_str();
+  app.add_option("--trajectory", arguments.trajectory,
+                 "write the poses of the robot in the session frame into this CSV file (s, m, m, rad)");
+  app.add_option("--config", arguments.config, "parameters, as in config/session_mapper.yaml");
+  app.footer("Exit status: 0 drawn, 2 bad input.");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Draws the session map of a bag.", "map_bag");
+  Arguments arguments;
+  describe(app, arguments);
+  try {
+    app.parse(argc, argv);
+    return run(arguments);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kDrawn : kBadInput;
+  } catch (const std::exception& error) {
+    std::cerr << "map_bag: " << error.what() << '\n';
+    return kBadInput;
+  }
+}

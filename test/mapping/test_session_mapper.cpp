@@ -1,0 +1,338 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "map_matcher/mapping/session_mapper.hpp"
+
+namespace map_matcher {
+namespace {
+
+/// A rectangular room without furniture, its walls at these coordinates of the world [m].
+struct Room {
+  double left = -3.0;
+  double right = 4.02;
+  double lower = -2.0;
+  double upper = 2.52;
+};
+
+constexpr int kNumBeams = 360;
+
+/// Range from a point in the room to its walls.
+double rangeIn(const Room& room, const Eigen::Vector2d& from, double direction) {
+  const double dx = std::cos(direction);
+  const double dy = std::sin(direction);
+  const double along_x = dx == 0.0 ? 1e9 : ((dx > 0.0 ? room.right : room.left) - from.x()) / dx;
+  const double along_y = dy == 0.0 ? 1e9 : ((dy > 0.0 ? room.upper : room.lower) - from.y()) / dy;
+  return std::min(along_x, along_y);
+}
+
+/// A 270 degree scan of the room; the beams of a laser upside down turn clockwise.
+PlanarScan scanFrom(const Room& room, const Rigid2& T_world_base, const LaserMount& mount = {}) {
+  PlanarScan scan{-0.75 * M_PI, 1.5 * M_PI / (kNumBeams - 1), 0.05, 20.0, {}};
+  const Rigid2 laser = T_world_base * mount.T_base_laser;
+  for (int i = 0; i < kNumBeams; ++i) {
+    const double angle = scan.angle_min + i * scan.angle_increment;
+    const double direction = laser.yaw + (mount.upside_down ? -angle : angle);
+    scan.ranges.push_back(static_cast<float>(rangeIn(room, laser.translation(), direction)));
+  }
+  return scan;
+}
+
+/// Distance of a point to the nearest wall of the room.
+double distanceToWall(const Room& room, const Eigen::Vector2d& p) {
+  return std::min({std::abs(p.x() - room.left), std::abs(p.x() - room.right), std::abs(p.y() - room.lower),
+                   std::abs(p.y() - room.upper)});
+}
+
+/// Occupied cells of a map, as their centres [m].
+std::vector<Eigen::Vector2d> wallsOf(const OccupancyGrid& map) {
+  std::vector<Eigen::Vector2d> centres;
+  for (int y = 0; y < map.height(); ++y) {
+    for (int x = 0; x < map.width(); ++x) {
+      if (map.at(x, y) == kOccupied) {
+        centres.push_back(map.geometry().cellCentre({x, y}));
+      }
+    }
+  }
+  return centres;
+}
+
+/// Drives along a curve through the room with perfect odometry.
+void drive(SessionMapper& mapper, const Room& room, const LaserMount& mount = {}) {
+  for (int i = 0; i <= 40; ++i) {
+    const Rigid2 pose{-1.0 + 0.05 * i, 0.3 * std::sin(0.15 * i), 0.03 * i};
+    mapper.addScan(pose, scanFrom(room, pose, mount), mount);
+  }
+}
+
+TEST(SessionMapper, HasNoMapBeforeTheFirstScan) {
+  const SessionMapper mapper;
+
+  EXPECT_FALSE(mapper.hasMap());
+  EXPECT_EQ(mapper.map(), std::nullopt);
+}
+
+TEST(SessionMapper, DrawsTheFirstScanInTheOdometryFrame) {
+  SessionMapper mapper;
+  const Rigid2 odometry{0.5, -0.25, 1.0};
+
+  const ScanReport report = mapper.addScan(odometry, scanFrom({}, odometry), {});
+
+  EXPECT_EQ(report.outcome, ScanOutcome::kDrawn);
+  EXPECT_EQ(report.hits, kNumBeams);
+  EXPECT_NEAR(mapper.T_session_base().x, 0.5, 1e-12);
+  EXPECT_NEAR(mapper.T_session_odom().x, 0.0, 1e-12);
+  for (const Eigen::Vector2d& wall : wallsOf(*mapper.map())) {
+    EXPECT_LE(distanceToWall({}, wall), 0.5 * 0.05 + 1e-6) << wall.transpose();
+  }
+}
+
+TEST(SessionMapper, PutsEveryWallIntoTheCellThatHoldsIt) {
+  const Room room;  // x = 4.02 lies in the cell [4.00, 4.05), y = 2.52 in [2.50, 2.55)
+  SessionMapper mapper;
+
+  drive(mapper, room);
+
+  const OccupancyGrid map = *mapper.map();
+  const std::vector<Eigen::Vector2d> walls = wallsOf(map);
+  EXPECT_GT(walls.size(), 400U);
+  for (const Eigen::Vector2d& wall : walls) {
+    EXPECT_LE(distanceToWall(room, wall), 0.05 + 0.02) << wall.transpose() << ": a cell of 5 cm beside its wall";
+  }
+}
+
+TEST(SessionMapper, DrawsWallsWithoutAHalfCellError) {
+  const Room room;
+  SessionMapper mapper;
+
+  drive(mapper, room);
+
+  // The mean of the signed distances of the cells' centres to a wall in the middle of a cell: half a cell would show as
+  // 0.025 m.
+  double sum_x = 0.0;
+  double sum_y = 0.0;
+  int num_x = 0;
+  int num_y = 0;
+  for (const Eigen::Vector2d& wall : wallsOf(*mapper.map())) {
+    if (std::abs(wall.x() - room.right) < 0.1 && std::abs(wall.y()) < 1.5) {
+      sum_x += wall.x() - room.right;
+      ++num_x;
+    }
+    if (std::abs(wall.y() - room.upper) < 0.1 && std::abs(wall.x()) < 2.5) {
+      sum_y += wall.y() - room.upper;
+      ++num_y;
+    }
+  }
+  ASSERT_GT(num_x, 30);
+  ASSERT_GT(num_y, 30);
+  EXPECT_NEAR(sum_x / num_x, 4.025 - room.right, 0.01);
+  EXPECT_NEAR(sum_y / num_y, 2.525 - room.upper, 0.01);
+}
+
+TEST(SessionMapper, TakesTheMountOfTheLaserIntoAccount) {
+  const Room room;
+  for (const bool upside_down : {false, true}) {
+    SessionMapper mapper;
+
+    drive(mapper, room, {{0.25, -0.1, 0.7}, upside_down});
+
+    const auto walls = wallsOf(*mapper.map());
+    EXPECT_GT(walls.size(), 400U);
+    for (const Eigen::Vector2d& wall : walls) {
+      EXPECT_LE(distanceToWall(room, wall), 0.05 + 0.02) << wall.transpose() << ", upside down: " << upside_down;
+    }
+  }
+}
+
+TEST(SessionMapper, CorrectsOdometryThatDrifts) {
+  const Room room;
+  SessionMapper mapper;
+  Rigid2 truth{-1.0, 0.0, 0.0};
+  Rigid2 odometry = truth;
+  const Rigid2 true_step{0.05, 0.0, 0.02};
+  const Rigid2 measured_step{0.055, 0.001, 0.023};
+
+  mapper.addScan(odometry, scanFrom(room, truth), {});
+  for (int i = 0; i < 60; ++i) {
+    truth = truth * true_step;
+    odometry = odometry * measured_step;
+    mapper.addScan(odometry, scanFrom(room, truth), {});
+  }
+
+  const Rigid2 error = truth.inverse() * mapper.T_session_base();
+  const Rigid2 odometry_error = truth.inverse() * odometry;
+  EXPECT_GT(odometry_error.translation().norm(), 0.2) << "the test is only worth something when odometry is bad";
+  EXPECT_LT(error.translation().norm(), 0.03);
+  EXPECT_LT(std::abs(error.yaw), 0.01);
+  const Rigid2 composed = mapper.T_session_odom() * odometry;
+  EXPECT_NEAR(composed.x, mapper.T_session_base().x, 1e-9);
+  EXPECT_NEAR(composed.yaw, mapper.T_session_base().yaw, 1e-9);
+}
+
+TEST(SessionMapper, MapsFarFromTheOriginOfOdometryAsWellAsNearIt) {
+  const Room room{-3.0 + 50'000.0, 4.02 + 50'000.0, -2.0, 2.52};
+  SessionMapperOptions options;
+  options.xmin = 49'990.0;
+  options.xmax = 50'010.0;
+  SessionMapper mapper(options);
+
+  for (int i = 0; i <= 40; ++i) {
+    const Rigid2 pose{49'999.0 + 0.05 * i, 0.0, 0.03 * i};
+    mapper.addScan(pose, scanFrom(room, pose), {});
+  }
+
+  const Rigid2 error = Rigid2{50'001.0, 0.0, 1.2}.inverse() * mapper.T_session_base();
+  EXPECT_LT(error.translation().norm(), 0.01);
+}
+
+TEST(SessionMapper, LooksAtNoScanWhileTheRobotStands) {
+  SessionMapper mapper;
+  const Rigid2 pose{0.0, 0.0, 0.0};
+  mapper.addScan(pose, scanFrom({}, pose), {});
+  const auto before = mapper.map()->values();
+
+  const ScanReport report = mapper.addScan(pose, scanFrom({-1.0, 1.0, -1.0, 1.0}, pose), {});
+
+  EXPECT_EQ(report.outcome, ScanOutcome::kNotMoved);
+  EXPECT_EQ(mapper.map()->values(), before);
+}
+
+TEST(SessionMapper, DrawsAScanOnlyAfterTheMotionAskedFor) {
+  SessionMapperOptions options;
+  options.linear_update = 0.5;
+  SessionMapper mapper(options);
+  const auto outcomeAt = [&mapper](double x) {
+    const Rigid2 pose{x, 0.0, 0.0};
+    return mapper.addScan(pose, scanFrom({}, pose), {}).outcome;
+  };
+
+  EXPECT_EQ(outcomeAt(0.0), ScanOutcome::kDrawn);
+  EXPECT_EQ(outcomeAt(0.05), ScanOutcome::kNotMoved);
+  EXPECT_EQ(outcomeAt(0.2), ScanOutcome::kMatched);
+  EXPECT_EQ(outcomeAt(0.45), ScanOutcome::kMatched);
+  EXPECT_EQ(outcomeAt(0.55), ScanOutcome::kDrawn);
+}
+
+TEST(SessionMapper, IgnoresBeamsThatSayNothing) {
+  SessionMapper mapper;
+  const Rigid2 pose;
+  PlanarScan scan = scanFrom({}, pose);
+  for (std::size_t i = 0; i < scan.ranges.size(); i += 2) {
+    scan.ranges[i] = i % 4 == 0 ? std::numeric_limits<float>::infinity() : std::numeric_limits<float>::quiet_NaN();
+  }
+
+  const ScanReport report = mapper.addScan(pose, scan, {});
+
+  EXPECT_EQ(report.hits, kNumBeams / 2);
+  for (const Eigen::Vector2d& wall : wallsOf(*mapper.map())) {
+    EXPECT_LE(distanceToWall({}, wall), 0.05) << wall.transpose();
+  }
+}
+
+TEST(SessionMapper, FollowsTheOdometryWhileNoBeamEndsAtAWall) {
+  SessionMapper mapper;
+  mapper.addScan({}, scanFrom({}, {}), {});
+  PlanarScan blind = scanFrom({}, {});
+  std::fill(blind.ranges.begin(), blind.ranges.end(), std::numeric_limits<float>::infinity());
+
+  const ScanReport report = mapper.addScan({1.0, 0.0, 0.0}, blind, {});
+
+  EXPECT_EQ(report.outcome, ScanOutcome::kTooFewHits);
+  EXPECT_NEAR(mapper.T_session_base().x, 1.0, 1e-12);
+}
+
+TEST(SessionMapper, DoesNotStartWithAScanThatShowsNoWall) {
+  SessionMapper mapper;
+  PlanarScan blind = scanFrom({}, {});
+  std::fill(blind.ranges.begin(), blind.ranges.end(), std::numeric_limits<float>::infinity());
+
+  EXPECT_EQ(mapper.addScan({}, blind, {}).outcome, ScanOutcome::kTooFewHits);
+  EXPECT_FALSE(mapper.hasMap());
+}
+
+TEST(SessionMapper, LeavesAScanThatDoesNotFitOutOfTheMap) {
+  SessionMapper mapper;
+  mapper.addScan({}, scanFrom({}, {}), {});
+  const auto before = mapper.map()->values();
+  const Rigid2 moved{0.5, 0.0, 0.0};
+
+  const ScanReport report = mapper.addScan(moved, scanFrom({-1.2, 1.3, -0.8, 0.9}, {}), {});
+
+  EXPECT_EQ(report.outcome, ScanOutcome::kNotFitting);
+  EXPECT_LT(report.goodness, 0.4);
+  EXPECT_EQ(mapper.map()->values(), before);
+  EXPECT_NEAR(mapper.T_session_base().x, 0.5, 1e-12);
+}
+
+TEST(SessionMapper, AcceptsScansWithAnotherNumberOfBeams) {
+  SessionMapper mapper;
+  mapper.addScan({}, scanFrom({}, {}), {});
+  const Rigid2 moved{0.4, 0.0, 0.0};
+  PlanarScan half = scanFrom({}, moved);
+  half.ranges.resize(half.ranges.size() / 2);
+
+  EXPECT_EQ(mapper.addScan(moved, half, {}).outcome, ScanOutcome::kDrawn);
+}
+
+TEST(SessionMapper, BeginsANewSessionAfterReset) {
+  SessionMapper mapper;
+  drive(mapper, {});
+  const Rigid2 elsewhere{7.0, 8.0, 2.0};
+
+  mapper.reset();
+
+  EXPECT_FALSE(mapper.hasMap());
+  const Room small{6.0, 8.0, 7.0, 9.0};
+  EXPECT_EQ(mapper.addScan(elsewhere, scanFrom(small, elsewhere), {}).outcome, ScanOutcome::kDrawn);
+  EXPECT_NEAR(mapper.T_session_base().x, 7.0, 1e-12);
+  for (const Eigen::Vector2d& wall : wallsOf(*mapper.map())) {
+    EXPECT_LE(distanceToWall(small, wall), 0.05) << wall.transpose();
+  }
+}
+
+TEST(SessionMapper, IsAsBeforeAfterABadScanOrPose) {
+  SessionMapper mapper;
+  mapper.addScan({}, scanFrom({}, {}), {});
+  const auto before = mapper.map()->values();
+  PlanarScan bad = scanFrom({}, {});
+  bad.range_max = std::numeric_limits<double>::quiet_NaN();
+
+  EXPECT_THROW(mapper.addScan({5.0, 0.0, 0.0}, bad, {}), std::invalid_argument);
+  EXPECT_THROW(mapper.addScan({std::nan(""), 0.0, 0.0}, scanFrom({}, {}), {}), std::invalid_argument);
+
+  EXPECT_EQ(mapper.map()->values(), before);
+  EXPECT_NEAR(mapper.T_session_base().x, 0.0, 1e-12);
+}
+
+TEST(SessionMapper, NamesEveryOptionOutOfRange) {
+  SessionMapperOptions options;
+  options.delta = -1.0;
+  options.occ_thresh = 1.5;
+  options.xmin = 20.0;
+  options.max_range = 5.0;
+  options.max_urange = 6.0;
+  try {
+    const SessionMapper mapper(options);
+    FAIL() << "expected an error";
+  } catch (const std::invalid_argument& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("delta is -1, expected 0.001 to 1 m"), std::string::npos) << text;
+    EXPECT_NE(text.find("occ_thresh is 1.5, expected 0 to 1"), std::string::npos) << text;
+    EXPECT_NE(text.find("xmin is 20, expected less than xmax = 10"), std::string::npos) << text;
+    EXPECT_NE(text.find("maxUrange is 6, expected at most maxRange = 5"), std::string::npos) << text;
+  }
+}
+
+TEST(SessionMapper, RefusesAFirstMapThatIsTooLarge) {
+  SessionMapperOptions options;
+  options.delta = 0.001;
+  options.xmin = -1000.0;
+  options.xmax = 1000.0;
+
+  EXPECT_THROW(SessionMapper{options}, std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace map_matcher

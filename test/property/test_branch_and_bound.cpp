@@ -1,0 +1,138 @@
+// Laws of the search, on random small problems. The seeds are fixed and named in every failure.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "map_matcher/search/branch_and_bound.hpp"
+#include "support/random_maps.hpp"
+
+namespace map_matcher {
+namespace {
+
+constexpr int kTopLevel = 4;
+
+/// A random search: a map with walls in lines, several rotations of a session map and a window each.
+struct RandomSearch {
+  explicit RandomSearch(std::uint32_t seed) : random(seed) {
+    const int width = test::randomInt(random, 5, 60);
+    const int height = test::randomInt(random, 5, 60);
+    const int num_walls = test::randomInt(random, 10, width * height / 3);
+    grids.emplace_back(width, height, test::randomCells(random, width, height, num_walls), kTopLevel);
+    const int num_cells = test::randomInt(random, 1, 300);
+    const int num_rotations = test::randomInt(random, 1, 5);
+    for (int n = 0; n < num_rotations; ++n) {
+      rotations.push_back(test::randomRotatedCells(random, 20, num_cells));
+      const Cell first{test::randomInt(random, -30, 30), test::randomInt(random, -30, 30)};
+      windows.push_back({first, {first.x + test::randomInt(random, 0, 40), first.y + test::randomInt(random, 0, 40)}});
+    }
+  }
+
+  SearchProblem problem(int root_level) const { return {grids[0], rotations, windows, {}, 1, root_level}; }
+
+  std::mt19937 random;
+  std::vector<PrecomputedGrids> grids;
+  std::vector<RotatedCells> rotations;
+  std::vector<SearchWindow> windows;
+};
+
+TEST(BranchAndBound, FindsWhatAnExhaustiveSearchFinds) {
+  for (std::uint32_t seed = 0; seed < 200; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const RandomSearch search(seed);
+    const std::int32_t expected = test::exhaustiveBest(search.grids[0], search.rotations, search.windows);
+    const int root_level = static_cast<int>(seed) % (kTopLevel + 1);
+
+    const SearchOutcome outcome = branchAndBound(search.problem(root_level));
+
+    ASSERT_EQ(outcome.best.has_value(), expected > 0);
+    if (outcome.best) {
+      const auto n = static_cast<std::size_t>(outcome.best->rotation);
+      const Cell& t = outcome.best->translation;
+      ASSERT_EQ(outcome.best->count, expected);
+      ASSERT_EQ(test::countMatches(search.grids[0].level(0), search.rotations[n], t), expected);
+      ASSERT_TRUE(t.x >= search.windows[n].first.x && t.x <= search.windows[n].last.x);
+      ASSERT_TRUE(t.y >= search.windows[n].first.y && t.y <= search.windows[n].last.y);
+    }
+  }
+}
+
+TEST(BranchAndBound, ParentIsNeverBeatenByAChild) {
+  for (std::uint32_t seed = 0; seed < 200; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomSearch search(seed);
+    for (int level = 1; level <= kTopLevel; ++level) {
+      const PooledLevel& parent = search.grids[0].level(level);
+      const PooledLevel& child = search.grids[0].level(level - 1);
+      for (int trial = 0; trial < 20; ++trial) {
+        const Cell t{test::randomInt(search.random, -50, 80), test::randomInt(search.random, -50, 80)};
+        const std::int32_t bound = test::countMatches(parent, search.rotations[0], t);
+        for (int k = 0; k < 4; ++k) {
+          const Cell first{t.x + (k & 1) * child.stride(), t.y + (k >> 1) * child.stride()};
+          ASSERT_GE(bound, test::countMatches(child, search.rotations[0], first)) << "level " << level;
+        }
+      }
+    }
+  }
+}
+
+TEST(BranchAndBound, AnswersNothingWhenNothingReachesTheThresholdAndElseTheSame) {
+  for (std::uint32_t seed = 0; seed < 100; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const RandomSearch search(seed);
+    const std::int32_t best = test::exhaustiveBest(search.grids[0], search.rotations, search.windows);
+    SearchProblem reachable = search.problem(3);
+    reachable.min_count = std::max(1, best);
+    SearchProblem out_of_reach = search.problem(3);
+    out_of_reach.min_count = best + 1;
+
+    EXPECT_EQ(branchAndBound(reachable).best.has_value(), best > 0);
+    EXPECT_FALSE(branchAndBound(out_of_reach).best.has_value());
+  }
+}
+
+TEST(BranchAndBound, OrderOfTheInitialListDoesNotChangeTheScore) {
+  for (std::uint32_t seed = 0; seed < 100; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const RandomSearch search(seed);
+    SearchProblem ordered = search.problem(3);
+    for (std::size_t n = 0; n < ordered.rotations.size(); ++n) {
+      ordered.order.push_back(static_cast<std::int32_t>(ordered.rotations.size() - n));
+    }
+
+    const SearchOutcome by_order = branchAndBound(ordered);
+    const SearchOutcome by_score = branchAndBound(search.problem(3));
+
+    ASSERT_EQ(by_order.best.has_value(), by_score.best.has_value());
+    if (by_score.best) {
+      EXPECT_EQ(by_order.best->count, by_score.best->count);
+    }
+  }
+}
+
+TEST(BranchAndBound, GivesTheSamePoseOnEveryRun) {
+  const RandomSearch search(3);
+
+  const SearchOutcome once = branchAndBound(search.problem(2));
+  const SearchOutcome again = branchAndBound(search.problem(2));
+
+  ASSERT_TRUE(once.best && again.best);
+  EXPECT_EQ(once.best->rotation, again.best->rotation);
+  EXPECT_EQ(once.best->translation, again.best->translation);
+  EXPECT_EQ(once.nodes_scored, again.nodes_scored);
+}
+
+TEST(BranchAndBound, StopsWhenItIsTold) {
+  const RandomSearch search(3);
+  StopToken stop;
+  stop.requestStop();
+
+  const SearchOutcome outcome = branchAndBound(search.problem(2), stop);
+
+  EXPECT_TRUE(outcome.stopped);
+  EXPECT_FALSE(outcome.best.has_value());
+  EXPECT_EQ(outcome.nodes_scored, 0);
+}
+
+}  // namespace
+}  // namespace map_matcher
