@@ -26,11 +26,10 @@ void addOptions(CLI::App& app, const ParameterList& parameters) {
   }
 }
 
-int run(CLI::App& app, int argc, char** argv, const std::function<void()>& program) {
+int run(CLI::App& app, int argc, char** argv, const std::function<int()>& program) {
   try {
     app.parse(argc, argv);
-    program();
-    return kDone;
+    return program();
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kDone : kBadInput;
   } catch (const std::exception& error) {

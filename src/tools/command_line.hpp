@@ -17,7 +17,7 @@ constexpr int kBadInput = 2;  ///< Exit status when an argument or a file cannot
 void addOptions(CLI::App& app, const ParameterList& parameters);
 
 /// Parses the arguments and runs the program; help goes to standard output, what is wrong to standard error. Returns
-/// the exit status.
-int run(CLI::App& app, int argc, char** argv, const std::function<void()>& program);
+/// the exit status, the program's own when it ends.
+int run(CLI::App& app, int argc, char** argv, const std::function<int()>& program);
 
 }  // namespace map_matcher::tools

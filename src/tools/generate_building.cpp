@@ -23,5 +23,6 @@ int main(int argc, char** argv) {
     map_matcher::saveMap(building, output);
     std::cout << output << ": " << building.width() << " x " << building.height() << " cells of "
               << building.resolution() << " m, seed " << options.seed << '\n';
+    return map_matcher::tools::kDone;
   });
 }

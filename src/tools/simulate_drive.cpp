@@ -87,5 +87,8 @@ int main(int argc, char** argv) {
                "simulate_drive");
   Arguments arguments;
   describe(app, arguments);
-  return map_matcher::tools::run(app, argc, argv, [&] { simulate(arguments); });
+  return map_matcher::tools::run(app, argc, argv, [&] {
+    simulate(arguments);
+    return map_matcher::tools::kDone;
+  });
 }
