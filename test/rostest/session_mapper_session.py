@@ -80,8 +80,7 @@ class SessionMapperSession(unittest.TestCase):
     def the_map_grows_with_the_motion(self):
         for i in range(1, 10):
             time = BEGIN + i
-            self.robot.step(time, pose_at(time))
-            self.wait_until_used(time)
+            self.step_until_used(time, pose_at(time))
         later = self.map.wait_for(lambda grid: grid.header.stamp.to_sec() > BEGIN + 2.0, "a later map")
         self.assert_walls_of_the_room(later)
         # map_update_interval is 2 s: there are fewer maps than scans.
@@ -93,8 +92,7 @@ class SessionMapperSession(unittest.TestCase):
         before = len(self.map.messages)
         for i in range(1, 8):
             time = BEGIN + 9.0 + i
-            self.robot.step(time, pose_at(BEGIN + 9.0))
-            self.wait_until_used(time)
+            self.step_until_used(time, pose_at(BEGIN + 9.0))
         self.assertEqual(len(self.map.messages), before)
 
     def a_scan_with_other_beams_is_drawn(self):
@@ -123,9 +121,13 @@ class SessionMapperSession(unittest.TestCase):
         wait_until(has_map, "a map newer than %g" % after)
         return self.map.wait_for(lambda grid: grid.header.stamp.to_sec() > after, "the map")
 
-    def wait_until_used(self, time):
-        """The node has taken the scan of this time: dynamic_map has its stamp."""
-        wait_until(lambda: self.get_map().map.header.stamp.to_sec() > time - 1e-6, "the scan of %g is used" % time)
+    def step_until_used(self, time, pose):
+        """Sends a scan until the node has taken it, which shows in the stamp of dynamic_map. More than once, because
+        tf2's message filter may lose one whose transform comes at the very moment."""
+        def is_used():
+            self.robot.step(time, pose)
+            return self.get_map().map.header.stamp.to_sec() > time - 1e-6
+        wait_until(is_used, "the scan of %g is used" % time)
 
     def session_transforms(self):
         return [t for tf in list(self.tf.messages) for t in tf.transforms if is_between(t, "session_map", "odom")]
