@@ -292,14 +292,15 @@ std::map<double, Rigid2> truthOf(const std::string& path) {
 
 /// Root mean square distance [m] of a path from the true one, after the rigid motion that brings them closest.
 double rmsAfterAlignment(const std::vector<StampedPose>& path, const std::map<double, Rigid2>& truth) {
-  Eigen::Matrix2Xd estimates(2, path.size());
-  Eigen::Matrix2Xd true_positions(2, path.size());
+  Eigen::MatrixXd estimates(2, path.size());
+  Eigen::MatrixXd true_positions(2, path.size());
   for (std::size_t i = 0; i < path.size(); ++i) {
     estimates.col(static_cast<Eigen::Index>(i)) = path[i].pose.translation();
     true_positions.col(static_cast<Eigen::Index>(i)) = truth.at(path[i].time).translation();
   }
-  const Eigen::Matrix3d motion = Eigen::umeyama(estimates, true_positions, false);
-  const Eigen::Matrix2Xd aligned = (motion.topLeftCorner<2, 2>() * estimates).colwise() + motion.topRightCorner<2, 1>();
+  const Eigen::MatrixXd motion = Eigen::umeyama(estimates, true_positions, false);
+  const Eigen::MatrixXd aligned =
+      (motion.topLeftCorner(2, 2) * estimates).colwise() + Eigen::Vector2d(motion.topRightCorner(2, 1));
   return std::sqrt((aligned - true_positions).squaredNorm() / static_cast<double>(path.size()));
 }
 
