@@ -1,0 +1,9 @@
+// Keeps what the last match of a run looked like.
+
+#include "map_matcher/ros/overlay_recorder.hpp"
+#include "map_matcher/ros/run_node.hpp"
+
+int main(int argc, char** argv) {
+  using namespace map_matcher;
+  return runNode<OverlayRecorder, OverlayRecorderOptions>(argc, argv, "overlay_recorder");
+}
