@@ -18,6 +18,7 @@ constexpr std::size_t kChunk = 128;
 /// Vector types of GCC and clang: portable, and split by the compiler where the processor's registers are narrower.
 template <int kBytes>
 struct ByteVector {
+  // NOLINTNEXTLINE(modernize-use-using): GCC ignores the attribute of a dependent type in an alias.
   typedef std::uint8_t type __attribute__((vector_size(kBytes)));
 };
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "map_matcher/simulation/option_check.hpp"
+#include "map_matcher/parameters/option_check.hpp"
 #include "map_matcher/simulation/path_follower.hpp"
 #include "map_matcher/simulation/path_planner.hpp"
 #include "map_matcher/simulation/random_numbers.hpp"

@@ -103,7 +103,7 @@ TEST_F(DriveBag, holdsFourMessagesOfEveryStepWithRisingStamps) {
     EXPECT_EQ(count, drive_.steps.size()) << topic;
   }
   EXPECT_EQ(messages.front().stamp, ros::Time(1000.0));
-  EXPECT_EQ(messages.back().stamp, ros::Time(1004.0));
+  EXPECT_EQ(messages.back().stamp, ros::Time(1004.002));  // the scan arrives last
 }
 
 TEST_F(DriveBag, holdsTheScansAsTheyWereMeasured) {
@@ -120,7 +120,9 @@ TEST_F(DriveBag, holdsTheScansAsTheyWereMeasured) {
     EXPECT_FLOAT_EQ(scans[i].angle_increment, static_cast<float>(expected.angle_increment));
     EXPECT_FLOAT_EQ(scans[i].range_max, 3.0F);
     EXPECT_FLOAT_EQ(scans[i].scan_time, 1.0F / 15.0F);
-    some_returned_nothing = some_returned_nothing || std::isinf(scans[i].ranges[15]);
+    for (const float range : scans[i].ranges) {
+      some_returned_nothing = some_returned_nothing || std::isinf(range);
+    }
   }
   EXPECT_TRUE(some_returned_nothing);
 }

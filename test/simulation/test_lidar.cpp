@@ -116,7 +116,7 @@ TEST(Lidar, namesEveryOptionOutOfItsRange) {
   options.sigma = -0.03;
   const std::string text = thrownText<std::invalid_argument>([&] { lidarWith(options); });
   for (const char* problem :
-       {"beams is 1, expected 2 to 100000", "field_of_view is 7, expected 0.01 to 6.28318",
+       {"beams is 1, expected 2 to 100000", "field_of_view is 7, expected 0.01 to 6.2832 rad",
         "range_min is -0.1, expected 0 to 1 m", "range_max is nan, expected 1 to 1000 m", "sigma is -0.03"}) {
     EXPECT_NE(text.find(problem), std::string::npos) << problem << " is not in: " << text;
   }

@@ -1,0 +1,9 @@
+// Compares the robot's pose on tf with the true one.
+
+#include "map_matcher/ros/pose_evaluator_server.hpp"
+#include "map_matcher/ros/run_node.hpp"
+
+int main(int argc, char** argv) {
+  using namespace map_matcher;
+  return runNode<PoseEvaluatorServer, PoseEvaluatorOptions>(argc, argv, "pose_evaluator");
+}
