@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "map_matcher/mapping/hit_counting_grid.hpp"
+#include "map_matcher/parameters/option_check.hpp"
 
 namespace map_matcher {
 namespace {
@@ -55,13 +56,7 @@ ParameterList parametersOf(SessionMapperOptions& options) {
 
 std::vector<std::string> problemsWith(const SessionMapperOptions& options) {
   SessionMapperOptions copy = options;
-  std::vector<std::string> problems;
-  for (const Parameter& parameter : parametersOf(copy)) {
-    const std::string problem = problemWith(parameter);
-    if (!problem.empty()) {
-      problems.push_back(problem);
-    }
-  }
+  std::vector<std::string> problems = problemsOf(parametersOf(copy));
   const auto expectBelow = [&problems](const char* low_name, double low, const char* high_name, double high) {
     if (low >= high) {
       std::ostringstream text;

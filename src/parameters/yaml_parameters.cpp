@@ -3,7 +3,13 @@
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
+#include <optional>
+#include <stdexcept>
 #include <type_traits>
+#include <vector>
+
+#include "map_matcher/parameters/nearest_name.hpp"
+#include "map_matcher/parameters/option_check.hpp"
 
 namespace map_matcher {
 namespace {
@@ -18,35 +24,41 @@ std::string assign(const Parameter& parameter, const YAML::Node& node) {
   return problemWith(parameter);
 }
 
-}  // namespace
+/// Stores one entry of the file; returns the problem, or "".
+std::string take(const std::string& name, const YAML::Node& value, const ParameterList& parameters) {
+  const auto known = std::find_if(parameters.begin(), parameters.end(),
+                                  [&name](const Parameter& parameter) { return parameter.name == name; });
+  if (known != parameters.end()) {
+    return assign(*known, value);
+  }
+  const std::optional<std::string> nearest = nearestName(name, parameters);
+  return "there is no parameter " + name + (nearest ? "; did you mean " + *nearest + "?" : "");
+}
 
-YamlParametersReport readYamlParameters(const std::string& path, const ParameterList& parameters) {
-  YamlParametersReport report;
+YAML::Node readFile(const std::string& path) {
   YAML::Node root;
   try {
     root = YAML::LoadFile(path);
   } catch (const YAML::Exception& error) {
-    report.problems.push_back("parameter file '" + path + "' cannot be read: " + error.what());
-    return report;
+    throw std::invalid_argument("parameter file '" + path + "' cannot be read: " + error.what());
   }
   if (!root.IsMap() && !root.IsNull()) {
-    report.problems.push_back("parameter file '" + path + "' holds no 'name: value' lines");
-    return report;
+    throw std::invalid_argument("parameter file '" + path + "' holds no 'name: value' lines");
   }
-  for (const auto& entry : root) {
-    const auto name = entry.first.as<std::string>();
-    const auto known = std::find_if(parameters.begin(), parameters.end(),
-                                    [&name](const Parameter& parameter) { return parameter.name == name; });
-    if (known == parameters.end()) {
-      report.unknown.push_back(name);
-      continue;
-    }
-    const std::string problem = assign(*known, entry.second);
+  return root;
+}
+
+}  // namespace
+
+void loadYamlParameters(const std::string& path, const ParameterList& parameters) {
+  std::vector<std::string> problems;
+  for (const auto& entry : readFile(path)) {
+    const std::string problem = take(entry.first.as<std::string>(), entry.second, parameters);
     if (!problem.empty()) {
-      report.problems.push_back("parameter file '" + path + "': " + problem);
+      problems.push_back((problems.empty() ? "parameter file '" + path + "': " : "") + problem);
     }
   }
-  return report;
+  throwIfAny(problems);
 }
 
 }  // namespace map_matcher

@@ -14,6 +14,10 @@
 namespace map_matcher {
 namespace {
 
+/// [s] A bag does not keep the order of messages that arrived at the same time: the scan must come later than its
+/// transform. Twice this is less than the shortest time between two scans.
+const ros::Duration kArrival(0.001);
+
 /// The messages of one drive.
 class DriveMessages {
  public:
@@ -101,9 +105,9 @@ void writeDriveBag(const Drive& drive, const std::string& path, const DriveBagOp
     for (const DriveStep& step : drive.steps) {
       const ros::Time stamp = messages.stampOf(step);
       bag.write("/tf", stamp, messages.transforms(step));
-      bag.write(options.odometry_topic, stamp, messages.odometry(step));
-      bag.write(options.truth_topic, stamp, messages.truth(step));
-      bag.write(options.scan_topic, stamp, messages.scan(step));
+      bag.write(options.odometry_topic, stamp + kArrival, messages.odometry(step));
+      bag.write(options.truth_topic, stamp + kArrival, messages.truth(step));
+      bag.write(options.scan_topic, stamp + kArrival + kArrival, messages.scan(step));
     }
     bag.close();
   } catch (const rosbag::BagException& error) {

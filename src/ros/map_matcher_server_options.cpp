@@ -4,15 +4,11 @@ namespace map_matcher {
 
 ParameterList parametersOf(MapMatcherServerOptions& options) {
   ParameterList parameters{
-      {"reference_map_file",
-       "",
+      {"reference_map_file", "",
        "YAML file of the reference map as map_server reads it; empty when the map comes by topic or service.",
-       &options.reference_map_file,
-       {},
-       {},
-       {}},
-      {"reference_frame", "", "Frame of the map read from reference_map_file.", &options.reference_frame, {}, {}, {}},
-      {"base_frame", "", "Frame of the robot whose pose is sent as match_pose.", &options.base_frame, {}, {}, {}},
+       &options.reference_map_file},
+      {"reference_frame", "", "Frame of the map read from reference_map_file.", &options.reference_frame},
+      {"base_frame", "", "Frame of the robot whose pose is sent as match_pose.", &options.base_frame},
       {"tf_mode",
        "",
        "Which map frame is broadcast as the parent of the other; none broadcasts nothing.",
@@ -20,14 +16,10 @@ ParameterList parametersOf(MapMatcherServerOptions& options) {
        {},
        {},
        {"reference_to_session", "session_to_reference", "none"}},
-      {"tf_rate", "Hz", "Broadcasts of the transform in a second.", &options.tf_rate, 0.1, 1000.0, {}},
-      {"transform_tolerance",
-       "s",
+      {"tf_rate", "Hz", "Broadcasts of the transform in a second.", &options.tf_rate, 0.1, 1000.0},
+      {"transform_tolerance", "s",
        "How far into the future the transform is stamped, so that it is there when the newest scan needs it.",
-       &options.transform_tolerance,
-       0.0,
-       10.0,
-       {}},
+       &options.transform_tolerance, 0.0, 10.0},
   };
   const ParameterList match = parametersOf(options.match);
   parameters.insert(parameters.end(), match.begin(), match.end());

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "map_matcher/parameters/option_check.hpp"
 #include "map_matcher/ros/conversions.hpp"
 #include "map_matcher/ros/match_messages.hpp"
 #include "map_matcher/ros/names.hpp"
@@ -28,18 +29,6 @@ bool sameSearch(const MatchOptions& a, const MatchOptions& b) {
 Parameter field(const char* name, const char* unit, double& value,
                 double min = -std::numeric_limits<double>::infinity()) {
   return {name, unit, "", &value, min, std::numeric_limits<double>::infinity(), {}};
-}
-
-/// Throws std::invalid_argument that names every value out of its range.
-void check(const ParameterList& values) {
-  std::string problems;
-  for (const Parameter& value : values) {
-    const std::string problem = problemWith(value);
-    problems += problem.empty() || problems.empty() ? problem : "; " + problem;
-  }
-  if (!problems.empty()) {
-    throw std::invalid_argument(problems);
-  }
 }
 
 }  // namespace
@@ -128,8 +117,8 @@ MatchPrior priorOf(const MatchToReference::Request& request) {
   MatchToReference::Request values = request;
   MatchPrior prior;
   if (request.use_heading_prior) {
-    check(
-        {field("heading", "rad", values.heading), field("heading_half_width", "rad", values.heading_half_width, 0.0)});
+    throwIfAny(problemsOf(
+        {field("heading", "rad", values.heading), field("heading_half_width", "rad", values.heading_half_width, 0.0)}));
     prior.heading = HeadingPrior{};
     prior.heading->yaw = request.heading;
     if (request.heading_half_width > 0.0) {
@@ -137,9 +126,10 @@ MatchPrior priorOf(const MatchToReference::Request& request) {
     }
   }
   if (request.use_window_prior) {
-    check({field("window_centre_x", "m", values.window_centre_x), field("window_centre_y", "m", values.window_centre_y),
-           field("window_half_size_x", "m", values.window_half_size_x, 0.0),
-           field("window_half_size_y", "m", values.window_half_size_y, 0.0)});
+    throwIfAny(problemsOf({field("window_centre_x", "m", values.window_centre_x),
+                           field("window_centre_y", "m", values.window_centre_y),
+                           field("window_half_size_x", "m", values.window_half_size_x, 0.0),
+                           field("window_half_size_y", "m", values.window_half_size_y, 0.0)}));
     prior.window = WindowPrior{{request.window_centre_x, request.window_centre_y},
                                {request.window_half_size_x, request.window_half_size_y}};
   }

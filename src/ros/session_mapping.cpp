@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "map_matcher/parameters/option_check.hpp"
 #include "map_matcher/ros/conversions.hpp"
 #include "map_matcher/ros/scan_conversions.hpp"
 
@@ -34,14 +35,7 @@ SessionMapping::SessionMapping(const SessionMappingOptions& options) : options_(
   options_.base_frame = withoutLeadingSlash(options.base_frame);
   options_.odom_frame = withoutLeadingSlash(options.odom_frame);
   SessionMappingOptions copy = options;
-  std::string problems;
-  for (const Parameter& parameter : parametersOf(copy)) {
-    const std::string problem = problemWith(parameter);
-    problems += problem.empty() ? "" : (problems.empty() ? "" : "; ") + problem;
-  }
-  if (!problems.empty()) {
-    throw std::invalid_argument(problems);
-  }
+  throwIfAny(problemsOf(parametersOf(copy)));
 }
 
 MappingUpdate SessionMapping::addScan(const sensor_msgs::LaserScan& scan, const tf2::BufferCore& tf) {

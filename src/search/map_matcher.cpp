@@ -1,10 +1,9 @@
 #include "map_matcher/search/map_matcher.hpp"
 
 #include <algorithm>
-#include <stdexcept>
-#include <string>
 #include <utility>
 
+#include "map_matcher/parameters/option_check.hpp"
 #include "map_matcher/search/search_reference.hpp"
 #include "map_matcher/search/stopwatch.hpp"
 #include "map_matcher/search/two_stage_search.hpp"
@@ -25,14 +24,7 @@ double workingResolution(const OccupancyGrid& reference, const OccupancyGrid& se
 }  // namespace
 
 MapMatcher::MapMatcher(const MatchOptions& options) : options_(options) {
-  std::string problems;
-  for (const Parameter& parameter : parametersOf(options_)) {
-    const std::string problem = problemWith(parameter);
-    problems += problem.empty() || problems.empty() ? problem : "; " + problem;
-  }
-  if (!problems.empty()) {
-    throw std::invalid_argument(problems);
-  }
+  throwIfAny(problemsOf(parametersOf(options_)));
 }
 
 MapMatcher::~MapMatcher() = default;

@@ -4,7 +4,6 @@
 #include <cmath>
 
 namespace map_matcher {
-
 double rotationStep(double rotation_downsampling, double diagonal) {
   const double dr = rotation_downsampling / diagonal;  // eq. 4.2
   return 2.0 * M_PI / std::max(1.0, std::ceil(2.0 * M_PI / dr));
@@ -22,8 +21,9 @@ std::vector<double> allRotations(double rotation_downsampling, double diagonal) 
 std::vector<double> rotationsAround(double centre, double half_width, double step) {
   const int most = static_cast<int>(std::ceil(M_PI / step));
   const int reach = std::min(most, static_cast<int>(std::ceil(half_width / step)));
-  std::vector<double> angles;
-  for (int k = -reach; k <= reach; ++k) {
+  std::vector<double> angles{centre};
+  for (int k = 1; k <= reach; ++k) {
+    angles.push_back(centre - k * step);
     angles.push_back(centre + k * step);
   }
   return angles;

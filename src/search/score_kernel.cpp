@@ -12,12 +12,13 @@
 namespace map_matcher {
 namespace {
 
-/// Cells that fit into 8-bit counters before they must be widened.
-constexpr std::size_t kChunk = 255;
+/// Cells counted in 8 bits before the counts are widened and a hopeless tile is given up; at most 255.
+constexpr std::size_t kChunk = 128;
 
 /// Vector types of GCC and clang: portable, and split by the compiler where the processor's registers are narrower.
 template <int kBytes>
 struct ByteVector {
+  // NOLINTNEXTLINE(modernize-use-using): GCC ignores the attribute of a dependent type in an alias.
   typedef std::uint8_t type __attribute__((vector_size(kBytes)));
 };
 

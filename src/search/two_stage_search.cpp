@@ -9,6 +9,7 @@
 #include "map_matcher/grid/occupied_cells.hpp"
 #include "map_matcher/search/branch_and_bound.hpp"
 #include "map_matcher/search/rotations.hpp"
+#include "map_matcher/search/scouting.hpp"
 #include "map_matcher/search/session_cells.hpp"
 #include "map_matcher/search/stopwatch.hpp"
 
@@ -17,6 +18,9 @@ namespace {
 
 /// Fine searches around an answer on the edge of the window before it, after which the last answer stands.
 constexpr int kMaxFineSearches = 4;
+
+/// Session cells by which the rotations of the coarse stage are put in order.
+constexpr int kScoutCells = 128;
 
 /// Pose of the session cells' centre in the searched reference grid.
 struct CentrePose {
@@ -43,6 +47,21 @@ void rotateCells(Stage& stage, const StopToken& stop) {
   for (std::size_t n = 0; n < stage.angles.size() && !stop.stopRequested(); ++n) {
     stage.problem.rotations[n] = rotate(stage.session, stage.angles[n]);
   }
+}
+
+/// Puts the rotations of a stage into another order.
+void reorder(Stage& stage, const std::vector<std::size_t>& order) {
+  std::vector<double> angles;
+  std::vector<RotatedCells> rotations;
+  std::vector<SearchWindow> windows;
+  for (const std::size_t n : order) {
+    angles.push_back(stage.angles[n]);
+    rotations.push_back(std::move(stage.problem.rotations[n]));
+    windows.push_back(stage.problem.windows[n]);
+  }
+  stage.angles = std::move(angles);
+  stage.problem.rotations = std::move(rotations);
+  stage.problem.windows = std::move(windows);
 }
 
 /// Adds the outcome of a search to the stage's report.
@@ -144,6 +163,9 @@ class TwoStageSearch {
     for (const double angle : stage.angles) {
       stage.problem.windows.push_back(priorWindow(stage, angle));
     }
+    if (!prior_.heading) {
+      reorder(stage, promisingFirst(stage.problem, kScoutCells, stop_));
+    }
     stage.report.initialization_time = watch.lap();
     record(stage, branchAndBound(stage.problem, stop_));
     return stage;
@@ -193,9 +215,9 @@ class TwoStageSearch {
   static bool onEdge(const Stage& stage) {
     const SearchPose& best = *stage.outcome.best;
     const SearchWindow& window = stage.problem.windows.front();
-    return best.rotation == 0 || best.rotation + 1 == static_cast<int>(stage.angles.size()) ||
-           best.translation.x == window.first.x || best.translation.x == window.last.x ||
-           best.translation.y == window.first.y || best.translation.y == window.last.y;
+    return best.rotation + 2 >= static_cast<int>(stage.angles.size()) || best.translation.x == window.first.x ||
+           best.translation.x == window.last.x || best.translation.y == window.first.y ||
+           best.translation.y == window.last.y;
   }
 
   /// Leaves out the rotations that the prior excludes and ranks the others, nearest heading first.
@@ -207,15 +229,10 @@ class TwoStageSearch {
     angles.erase(std::remove_if(angles.begin(), angles.end(),
                                 [this](double angle) { return headingError(angle) > prior_.heading->half_width; }),
                  angles.end());
-    std::vector<std::size_t> nearest_first(angles.size());
-    std::iota(nearest_first.begin(), nearest_first.end(), std::size_t{0});
-    std::stable_sort(nearest_first.begin(), nearest_first.end(), [this, &angles](std::size_t a, std::size_t b) {
-      return headingError(angles[a]) < headingError(angles[b]);
-    });
+    std::stable_sort(angles.begin(), angles.end(),
+                     [this](double a, double b) { return headingError(a) < headingError(b); });
     stage.problem.order.resize(angles.size());
-    for (std::size_t rank = 0; rank < nearest_first.size(); ++rank) {
-      stage.problem.order[nearest_first[rank]] = static_cast<std::int32_t>(rank);
-    }
+    std::iota(stage.problem.order.begin(), stage.problem.order.end(), 0);
   }
 
   double headingError(double angle) const {

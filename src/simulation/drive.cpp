@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "map_matcher/simulation/option_check.hpp"
+#include "map_matcher/parameters/option_check.hpp"
 #include "map_matcher/simulation/path_follower.hpp"
 #include "map_matcher/simulation/path_planner.hpp"
 #include "map_matcher/simulation/random_numbers.hpp"
@@ -38,9 +38,10 @@ std::vector<std::string> problemsOfDrive(DriveOptions options) {
          << ", expected a place within radius (" << options.robot.radius << " m), so that no wall comes there";
     problems.push_back(text.str());
   }
-  if (options.start &&
-      !(std::isfinite(options.start->x) && std::isfinite(options.start->y) && std::isfinite(options.start->yaw))) {
-    problems.emplace_back("start is not finite, expected x, y [m] and yaw [rad]");
+  const std::optional<Rigid2>& start = options.start;
+  if (start && !(start->translation().allFinite() && std::isfinite(start->yaw))) {
+    problems.push_back("start is " + pointText(start->translation()) + " with yaw " + std::to_string(start->yaw) +
+                       " rad, expected finite numbers");
   }
   return problems;
 }
@@ -88,10 +89,10 @@ class Itinerary {
       return {place.x(), place.y(), random_.uniform(-M_PI, M_PI)};
     }
     const Eigen::Vector2d place = options_.start->translation();
-    if (world_.clearance(place) < options_.robot.radius) {
+    if (!world_.isClear(place, options_.robot.radius)) {
       std::ostringstream text;
       text << "start is " << pointText(place) << ", expected a place with " << options_.robot.radius
-           << " m of free space around it; there are " << world_.clearance(place) << " m";
+           << " m of free space around it";
       throw std::invalid_argument(text.str());
     }
     return {place.x(), place.y(), normalizeAngle(options_.start->yaw)};

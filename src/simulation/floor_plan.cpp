@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "map_matcher/simulation/option_check.hpp"
+#include "map_matcher/parameters/option_check.hpp"
 #include "map_matcher/simulation/random_numbers.hpp"
 
 namespace map_matcher {

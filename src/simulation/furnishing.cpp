@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "map_matcher/simulation/furnisher.hpp"
 #include "map_matcher/simulation/random_numbers.hpp"
 
 namespace map_matcher {
@@ -13,117 +14,13 @@ namespace {
 constexpr std::uint64_t kFurnitureStream = 2;  // of the seed
 constexpr double kPassage = 0.85;              // [m] between pieces in a room
 constexpr double kCorridorPassage = 1.35;      // [m] between pieces in a corridor
-constexpr int kTrials = 60;                    // places tried for a piece
-constexpr double kTouch = 1e-6;                // [m] nearer is touching
 
-enum class Side { kBottom, kRight, kTop, kLeft };
-
-/// Furnishes one space. Every place* function tries some random places, leaves the piece out when none is free,
-/// and tells which.
-class Furnisher {
- public:
-  Furnisher(const Rectangle& floor, std::vector<Rectangle> kept_free, double passage, RandomNumbers& random)
-      : kept_free_(std::move(kept_free)), passage_(passage), random_(random) {
-    space_.floor = floor;
-  }
-
-  bool placeAtWall(const Furniture& piece, const std::vector<Side>& sides) {
-    for (int i = 0; i < kTrials; ++i) {
-      if (add(placed(piece, randomPoseAtWall(piece, sides[random_.index(sides.size())])))) {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  bool placeAtAnyWall(const Furniture& piece) {
-    return placeAtWall(piece, {Side::kBottom, Side::kRight, Side::kTop, Side::kLeft});
-  }
-
-  bool placeFree(const Furniture& piece) {
-    const Rectangle& floor = space_.floor;
-    for (int i = 0; i < kTrials; ++i) {
-      const double yaw = random_.chance(0.5) ? 0.5 * M_PI : 0.0;
-      const double x = random_.uniform(floor.x_min, floor.x_max);
-      const double y = random_.uniform(floor.y_min, floor.y_max);
-      if (add(placed(piece, {x, y, yaw}))) {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  /// Stands a door's leaf open on this side of it, when it is in nobody's way there.
-  void placeDoorLeaf(const Door& door) {
-    const int across = door.in_wall_along_x ? 1 : 0;
-    const bool is_beyond = space_.floor.centre()[across] < door.centre[across];
-    const double yaw = (door.in_wall_along_x ? 0.0 : -0.5 * M_PI) + (is_beyond ? M_PI : 0.0);
-    const Rigid2 T_plan_door{door.centre.x(), door.centre.y(), normalizeAngle(yaw)};
-    const double jamb = random_.chance(0.5) ? 0.5 : -0.5;
-    Furniture leaf = placed(doorLeaf(door.width - 0.05, std::copysign(random_.uniform(0.05, 0.5), jamb)),
-                            T_plan_door * Rigid2{jamb * door.width, 0.0, 0.0});
-    if (isClear(leaf.footprint)) {
-      space_.pieces.push_back(std::move(leaf));
-    }
-  }
-
-  RandomNumbers& random() { return random_; }
-  const Rectangle& floor() const { return space_.floor; }
-  FurnishedSpace take() { return std::move(space_); }
-
- private:
-  Rigid2 randomPoseAtWall(const Furniture& piece, Side side) {
-    const Rectangle& floor = space_.floor;
-    const bool along_x = side == Side::kBottom || side == Side::kTop;
-    const double low = (along_x ? floor.x_min : floor.y_min) + 0.5 * piece.footprint.width();
-    const double high = (along_x ? floor.x_max : floor.y_max) - 0.5 * piece.footprint.width();
-    const double corner = random_.uniform();
-    const double along = corner < 0.25 ? low : corner < 0.5 ? high : random_.uniform(low, std::max(low, high));
-    switch (side) {
-      case Side::kBottom:
-        return {along, floor.y_min, 0.0};
-      case Side::kRight:
-        return {floor.x_max, along, 0.5 * M_PI};
-      case Side::kTop:
-        return {along, floor.y_max, M_PI};
-      case Side::kLeft:
-        return {floor.x_min, along, -0.5 * M_PI};
-    }
-    return {};
-  }
-
-  bool add(Furniture piece) {
-    if (!fits(piece.footprint)) {
-      return false;
-    }
-    space_.pieces.push_back(std::move(piece));
-    return true;
-  }
-
-  bool fits(const Rectangle& footprint) const {
-    const Rectangle& floor = space_.floor;
-    for (const double gap : {footprint.x_min - floor.x_min, footprint.y_min - floor.y_min,
-                             floor.x_max - footprint.x_max, floor.y_max - footprint.y_max}) {
-      if (gap < -kTouch || (gap > kTouch && gap < passage_)) {
-        return false;
-      }
-    }
-    return isClear(footprint);
-  }
-
-  /// Whether a footprint leaves the floor that is kept free and a passage to every piece.
-  bool isClear(const Rectangle& footprint) const {
-    return std::all_of(kept_free_.begin(), kept_free_.end(),
-                       [&](const Rectangle& kept) { return separation(footprint, kept) >= -kTouch; }) &&
-           std::all_of(space_.pieces.begin(), space_.pieces.end(),
-                       [&](const Furniture& piece) { return separation(footprint, piece.footprint) >= passage_; });
-  }
-
-  FurnishedSpace space_;
-  std::vector<Rectangle> kept_free_;
-  double passage_;
-  RandomNumbers& random_;
-};
+/// A cupboard, shelf or shaft of random size [m].
+Furniture block(double min_width, double max_width, double min_depth, double max_depth, RandomNumbers& random) {
+  const double width = random.uniform(min_width, max_width);
+  const double depth = random.uniform(min_depth, max_depth);
+  return wallBlock(width, depth);
+}
 
 void furnishOffice(Furnisher& room) {
   RandomNumbers& random = room.random();
@@ -133,7 +30,7 @@ void furnishOffice(Furnisher& room) {
     room.placeAtAnyWall(random.chance(0.3) ? deskPairFromWall(random) : deskAtWall(random));
   }
   for (int i = 0; i < 3; ++i) {
-    room.placeAtAnyWall(wallBlock(random.uniform(0.8, 1.9), random.uniform(0.35, 0.45)));
+    room.placeAtAnyWall(block(0.8, 1.9, 0.35, 0.45, random));
   }
   room.placeAtAnyWall(plantAtWall(random));
 }
@@ -156,14 +53,14 @@ void furnishKitchen(Furnisher& room) {
   for (double area = room.floor().area(); area > 9.0; area -= 9.0) {
     room.placeFree(roundTable(random));
   }
-  room.placeAtAnyWall(wallBlock(random.uniform(0.5, 0.9), random.uniform(0.5, 0.8)));
+  room.placeAtAnyWall(block(0.5, 0.9, 0.5, 0.8, random));
 }
 
 void furnishLaboratory(Furnisher& room) {
   RandomNumbers& random = room.random();
   for (double area = room.floor().area(); area > 10.0; area -= 10.0) {
     room.placeFree(workbench(random));
-    room.placeAtAnyWall(wallBlock(random.uniform(1.2, 3.0), random.uniform(0.6, 0.8)));
+    room.placeAtAnyWall(block(1.2, 3.0, 0.6, 0.8, random));
   }
   room.placeAtAnyWall(deskAtWall(random));
 }
@@ -171,7 +68,7 @@ void furnishLaboratory(Furnisher& room) {
 void furnishStore(Furnisher& room) {
   RandomNumbers& random = room.random();
   for (int i = 0; i < 5; ++i) {
-    room.placeAtAnyWall(wallBlock(random.uniform(0.6, 2.6), random.uniform(0.35, 0.6)));
+    room.placeAtAnyWall(block(0.6, 2.6, 0.35, 0.6, random));
   }
 }
 
@@ -179,7 +76,7 @@ void furnishStore(Furnisher& room) {
 void furnishRoom(Furnisher& room) {
   RandomNumbers& random = room.random();
   if (random.chance(0.3)) {  // a shaft
-    room.placeAtAnyWall(wallBlock(random.uniform(0.5, 1.1), random.uniform(0.4, 0.8)));
+    room.placeAtAnyWall(block(0.5, 1.1, 0.4, 0.8, random));
   }
   const double area = room.floor().area();
   const double use = random.uniform();
@@ -198,8 +95,7 @@ void furnishRoom(Furnisher& room) {
 void furnishHall(Furnisher& hall) {
   RandomNumbers& random = hall.random();
   for (int i = 0; i < 3; ++i) {
-    hall.placeAtAnyWall(random.chance(0.4) ? deskPairFromWall(random)
-                                           : wallBlock(random.uniform(0.8, 2.4), random.uniform(0.35, 0.5)));
+    hall.placeAtAnyWall(random.chance(0.4) ? deskPairFromWall(random) : block(0.8, 2.4, 0.35, 0.5, random));
   }
   for (double area = hall.floor().area(); area > 12.0; area -= 12.0) {
     if (!hall.placeFree(deskCluster(2, random))) {
@@ -209,8 +105,7 @@ void furnishHall(Furnisher& hall) {
   hall.placeFree(pillar(random));
   hall.placeFree(pillar(random));
   for (int i = 0; i < 4; ++i) {
-    hall.placeAtAnyWall(random.chance(0.3) ? deskAtWall(random)
-                                           : wallBlock(random.uniform(0.8, 2.4), random.uniform(0.35, 0.5)));
+    hall.placeAtAnyWall(random.chance(0.3) ? deskAtWall(random) : block(0.8, 2.4, 0.35, 0.5, random));
   }
   hall.placeAtAnyWall(plantAtWall(random));
 }
@@ -231,9 +126,8 @@ void furnishFoyer(Furnisher& foyer) {
 void furnishCorridor(Furnisher& corridor) {
   RandomNumbers& random = corridor.random();
   for (double length = corridor.floor().width(); length > 4.0; length -= 4.0) {
-    corridor.placeAtWall(
-        random.chance(0.25) ? plantAtWall(random) : wallBlock(random.uniform(0.5, 2.2), random.uniform(0.3, 0.45)),
-        {Side::kBottom, Side::kTop});
+    corridor.placeAtWall(random.chance(0.25) ? plantAtWall(random) : block(0.5, 2.2, 0.3, 0.45, random),
+                         {Side::kBottom, Side::kTop});
   }
 }
 
@@ -290,7 +184,7 @@ std::vector<FurnishedSpace> furnish(const FloorPlan& plan, const OfficeBuildingO
       placeDoorLeaves(furnisher, plan.doors);
     }
     furnishSpace(space.kind, furnisher);
-    spaces.push_back(furnisher.take());
+    spaces.push_back(furnisher.space());
   }
   return spaces;
 }

@@ -102,7 +102,8 @@ Furniture sofa(RandomNumbers& random) {
   Furniture piece = wallBlock(width, random.uniform(0.8, 0.95));
   if (random.chance(0.6)) {
     const double table_y = piece.footprint.y_max + random.uniform(0.55, 0.65);
-    piece.solids.push_back(box(random.uniform(-0.2, 0.2), table_y, 0.8, 0.45, random.uniform(-0.15, 0.15)));
+    const double table_x = random.uniform(-0.2, 0.2);
+    piece.solids.push_back(box(table_x, table_y, 0.8, 0.45, random.uniform(-0.15, 0.15)));
     piece.footprint.y_max = table_y + 0.32;
   }
   return piece;

@@ -3,20 +3,20 @@
 #include <cmath>
 #include <limits>
 
-#include "map_matcher/simulation/option_check.hpp"
+#include "map_matcher/parameters/option_check.hpp"
 
 namespace map_matcher {
 
 ParameterList parametersOf(LidarOptions& options) {
   return {
       {"beams", "", "Rays of a scan, the first and last at the edges of the field of view.", &options.beams, 2, 100000},
-      {"field_of_view", "rad", "Angle between the first and the last ray.", &options.field_of_view, 0.01, 2.0 * M_PI},
+      {"field_of_view", "rad", "Angle between the first and the last ray.", &options.field_of_view, 0.01, 6.2832},
       {"range_min", "m", "Nearer surfaces return nothing.", &options.range_min, 0.0, 1.0},
       {"range_max", "m", "Farther surfaces return nothing.", &options.range_max, 1.0, 1000.0},
       {"sigma", "m", "Standard deviation of a measured range.", &options.sigma, 0.0, 1.0},
       {"lidar_x", "m", "Forward offset of the lidar on the robot.", &options.T_base_lidar.x, -2.0, 2.0},
       {"lidar_y", "m", "Offset of the lidar to the left on the robot.", &options.T_base_lidar.y, -2.0, 2.0},
-      {"lidar_yaw", "rad", "Heading of the lidar on the robot.", &options.T_base_lidar.yaw, -M_PI, M_PI},
+      {"lidar_yaw", "rad", "Heading of the lidar on the robot.", &options.T_base_lidar.yaw, -3.1416, 3.1416},
   };
 }
 

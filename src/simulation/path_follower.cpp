@@ -7,12 +7,15 @@
 namespace map_matcher {
 namespace {
 
-constexpr double kLookahead = 0.6;       // [m] of path ahead of the robot
+constexpr double kLookahead = 0.6;       // [m] to the points that are pursued in a straight line, at most
 constexpr double kReach = 0.1;           // [m] the end of the path counts as reached from here
 constexpr double kTurnInPlace = 0.6;     // [rad] with a larger heading error the robot turns where it stands
 constexpr double kBraking = 0.7;         // share of the acceleration that braking is planned with
 constexpr double kCreepSpeed = 0.05;     // [m/s] where there is no room to brake from more
 constexpr double kCreepWay = 0.02;       // [m] that must be clear to creep
+constexpr double kCreepMargin = 0.002;   // [m] beyond the robot's radius
+constexpr double kLineMargin = 0.04;     // [m] that such a line keeps beyond the robot's radius
+constexpr double kOnPath = 0.02;         // [m] nearer to the path is on it
 constexpr double kClearanceStep = 0.04;  // [m] between the points at which a line is tested
 
 }  // namespace
@@ -54,35 +57,38 @@ void PathFollower::advance(const Eigen::Vector2d& position) {
   nearest_ = best;
 }
 
+/// The farthest point within the lookahead that can be driven to in a straight line. When there is none the robot has
+/// drifted off between obstacles and goes back to the path.
 Eigen::Vector2d PathFollower::pointToPursue(const DifferentialDrive& robot) const {
   const Eigen::Vector2d position = robot.T_map_base().translation();
-  std::size_t target = std::min(nearest_ + 1, path_.size() - 1);
-  for (std::size_t i = target + 1; i < path_.size() && (path_[i] - position).norm() <= kLookahead; ++i) {
-    if (isClear(position, path_[i], robot.options().radius)) {
-      target = i;
+  std::optional<Eigen::Vector2d> farthest;
+  for (std::size_t i = nearest_ + 1; i < path_.size() && (path_[i] - position).norm() <= kLookahead; ++i) {
+    if (isClear(position, path_[i], robot.options().radius + kLineMargin)) {
+      farthest = path_[i];
     }
   }
-  return path_[target];
+  const bool is_on_path = (path_[nearest_] - position).norm() < kOnPath;
+  return farthest ? *farthest : path_[is_on_path ? std::min(nearest_ + 1, path_.size() - 1) : nearest_];
 }
 
 bool PathFollower::isClear(const Eigen::Vector2d& from, const Eigen::Vector2d& to, double radius) const {
   const auto num_steps = static_cast<int>(std::ceil((to - from).norm() / kClearanceStep));
   for (int i = 1; i <= num_steps; ++i) {
-    if (world_.clearance(from + (to - from) * i / num_steps) < radius) {
+    if (!world_.isClear(from + (to - from) * i / num_steps, radius)) {
       return false;
     }
   }
   return true;
 }
 
-/// A speed from which the robot can stop within the free space around it, whatever its heading; creeping is allowed
-/// where the way straight ahead is clear.
+/// A speed from which the robot can stop within the free space around it, whatever its heading. Where it is not sure
+/// of any room the robot may creep as long as the way straight ahead is clear.
 double PathFollower::safeSpeed(const DifferentialDrive& robot, double period) const {
   const RobotOptions& limits = robot.options();
   const Rigid2& pose = robot.T_map_base();
   const double room = world_.clearance(pose.translation()) - limits.radius - robot.velocity().linear * period;
   const double speed = std::sqrt(2.0 * kBraking * limits.max_acceleration * std::max(0.0, room));
-  const bool may_creep = world_.clearance(pose * Eigen::Vector2d(kCreepWay, 0.0)) >= limits.radius;
+  const bool may_creep = world_.isClear(pose * Eigen::Vector2d(kCreepWay, 0.0), limits.radius + kCreepMargin);
   return may_creep ? std::max(speed, kCreepSpeed) : speed;
 }
 

@@ -59,8 +59,9 @@ Cell PathPlanner::cellOf(std::size_t index) const {
 void PathPlanner::measureCosts() {
   costs_.assign(static_cast<std::size_t>(geometry_.width) * static_cast<std::size_t>(geometry_.height), 0.0F);
   for (std::size_t i = 0; i < costs_.size(); ++i) {
-    const double spare = world_.clearance(geometry_.cellCentre(cellOf(i))) - required_clearance_;
-    if (spare >= 0.0) {
+    const Eigen::Vector2d centre = geometry_.cellCentre(cellOf(i));
+    if (world_.isClear(centre, required_clearance_)) {
+      const double spare = std::max(0.0, world_.clearance(centre) - required_clearance_);
       const auto lacking = static_cast<float>(std::max(0.0, 1.0 - spare / kComfort));
       costs_[i] = 1.0F + (kDiscomfort - 1.0F) * lacking * lacking;
     }
@@ -109,7 +110,7 @@ std::optional<Cell> PathPlanner::freeCellNear(const Eigen::Vector2d& p_map) cons
 }
 
 std::optional<Path> PathPlanner::plan(const Eigen::Vector2d& start, const Eigen::Vector2d& goal) const {
-  if (world_.clearance(start) <= 0.0 || world_.clearance(goal) < required_clearance_) {
+  if (world_.clearance(start) <= 0.0 || !world_.isClear(goal, required_clearance_)) {
     return std::nullopt;
   }
   const std::optional<Cell> first = freeCellNear(start);

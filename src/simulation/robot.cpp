@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "map_matcher/simulation/option_check.hpp"
+#include "map_matcher/parameters/option_check.hpp"
 
 namespace map_matcher {
 namespace {

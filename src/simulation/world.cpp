@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kHalfDiagonal = 0.708;  // [cells], rounded up: no point of a cell is farther from its centre
+constexpr double kClearanceError = 1.7;  // [cells] that clearance() is below the true distance, at most
 
 /// A stride tells how a ray goes on from a cell: kSolid and kOutside end it; kNextCell lets it step to the neighbour it
 /// points at; n > kNextCell lets it jump n - kNextCell cells, so far as nothing solid and no border can be nearer.
@@ -71,8 +72,7 @@ void World::measureStrides(const OccupancyGrid& grid, std::int8_t occupied_thres
       // Both ends may lie half a diagonal off the centre of their cell.
       const float jump = std::max(0.0F, std::floor(distance - 2.0F * static_cast<float>(kHalfDiagonal)));
       const float stride = distance == 0.0F ? float{kSolid} : std::min(jump + float{kNextCell}, kLongestStride);
-      strides_[static_cast<std::size_t>(y + 1) * static_cast<std::size_t>(padded_width_) +
-               static_cast<std::size_t>(x + 1)] = static_cast<std::uint8_t>(stride);
+      strides_[paddedIndex(x + 1, y + 1)] = static_cast<std::uint8_t>(stride);
     }
   }
 }
@@ -88,6 +88,11 @@ Eigen::Vector2d World::toCells(const Eigen::Vector2d& p_map) const {
   return (geometry_.T_map_grid.inverse() * p_map / geometry_.resolution).array() + 1.0;
 }
 
+/// Whether a point of the padded grid [cells] lies within the grid; NaN does not.
+bool World::isInside(const Eigen::Vector2d& p) const {
+  return p.x() >= 1.0 && p.y() >= 1.0 && p.x() < geometry_.width + 1 && p.y() < geometry_.height + 1;
+}
+
 double World::castRay(const Eigen::Vector2d& p_map, double heading, double range_max) const {
   if (!p_map.allFinite() || !std::isfinite(heading) || !std::isfinite(range_max)) {
     throw std::invalid_argument("a ray from (" + std::to_string(p_map.x()) + ", " + std::to_string(p_map.y()) +
@@ -95,7 +100,7 @@ double World::castRay(const Eigen::Vector2d& p_map, double heading, double range
                                 std::to_string(range_max) + ", expected finite numbers");
   }
   const Eigen::Vector2d origin = toCells(p_map);
-  if (!(origin.array() >= 1.0).all() || origin.x() >= geometry_.width + 1 || origin.y() >= geometry_.height + 1) {
+  if (!isInside(origin)) {
     return kInfinity;
   }
   const double angle = heading - geometry_.T_map_grid.yaw;
@@ -106,8 +111,7 @@ double World::castRay(const Eigen::Vector2d& p_map, double heading, double range
   auto y = static_cast<int>(origin.y());
   double travelled = 0.0;
   while (travelled <= longest) {
-    const std::uint8_t stride =
-        strides_[static_cast<std::size_t>(y) * static_cast<std::size_t>(padded_width_) + static_cast<std::size_t>(x)];
+    const std::uint8_t stride = strides_[paddedIndex(x, y)];
     if (stride == kSolid || stride == kOutside) {
       return stride == kSolid ? travelled * geometry_.resolution : kInfinity;
     }
@@ -127,15 +131,35 @@ double World::castRay(const Eigen::Vector2d& p_map, double heading, double range
 
 double World::clearance(const Eigen::Vector2d& p_map) const {
   const Eigen::Vector2d p = toCells(p_map);
-  if (!(p.array() >= 1.0).all() || p.x() >= geometry_.width + 1 || p.y() >= geometry_.height + 1) {
+  if (!isInside(p)) {
     return 0.0;
   }
   const auto x = static_cast<int>(p.x());
   const auto y = static_cast<int>(p.y());
-  const double from_centre =
-      free_space_[static_cast<std::size_t>(y) * static_cast<std::size_t>(padded_width_) + static_cast<std::size_t>(x)];
+  const double from_centre = free_space_[paddedIndex(x, y)];
   const double off_centre = std::hypot(p.x() - x - 0.5, p.y() - y - 0.5);
   return std::max(0.0, from_centre - kHalfDiagonal - off_centre) * geometry_.resolution;
+}
+
+bool World::isClear(const Eigen::Vector2d& p_map, double radius) const {
+  const Eigen::Vector2d p = toCells(p_map);
+  const double certain = clearance(p_map);
+  if (!isInside(p) || certain >= radius || certain + kClearanceError * geometry_.resolution < radius) {
+    return isInside(p) && certain >= radius;
+  }
+  const double reach = radius / geometry_.resolution;
+  const int x_last = std::min(static_cast<int>(p.x() + reach), geometry_.width + 1);
+  const int y_last = std::min(static_cast<int>(p.y() + reach), geometry_.height + 1);
+  for (int y = std::max(0, static_cast<int>(p.y() - reach)); y <= y_last; ++y) {
+    for (int x = std::max(0, static_cast<int>(p.x() - reach)); x <= x_last; ++x) {
+      const double dx = std::max({x - p.x(), 0.0, p.x() - (x + 1)});
+      const double dy = std::max({y - p.y(), 0.0, p.y() - (y + 1)});
+      if (isBlocked(x, y) && std::hypot(dx, dy) < reach) {
+        return false;
+      }
+    }
+  }
+  return true;
 }
 
 }  // namespace map_matcher

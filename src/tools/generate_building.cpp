@@ -15,13 +15,14 @@ int main(int argc, char** argv) {
   std::string output;
   app.add_option("--output", output, "YAML file to write; a PGM image of the same name is written beside it")
       ->required();
-  app.add_option("--seed", options.seed, "Whole number from 0: which floor")->capture_default_str();
+  map_matcher::tools::addSeed(app, "--seed", options.seed, "Which floor");
   map_matcher::tools::addOptions(app, parametersOf(options));
-  app.footer("Exit status: 0 written, 2 bad input.");
+  app.footer("Exit status: 0 written, 2 bad input.\n");
   return map_matcher::tools::run(app, argc, argv, [&] {
     const map_matcher::OccupancyGrid building = map_matcher::officeBuilding(options);
     map_matcher::saveMap(building, output);
     std::cout << output << ": " << building.width() << " x " << building.height() << " cells of "
               << building.resolution() << " m, seed " << options.seed << '\n';
+    return map_matcher::tools::kDone;
   });
 }

@@ -28,22 +28,11 @@ struct Arguments {
   std::string config;
 };
 
-/// Options from the configuration file; throws std::runtime_error with every problem in it.
+/// Options from the configuration file; throws std::invalid_argument with every problem in it.
 map_matcher::SessionMappingOptions readOptions(const std::string& config) {
   map_matcher::SessionMapperServerOptions options;
-  if (config.empty()) {
-    return options.mapping;
-  }
-  const auto report = map_matcher::readYamlParameters(config, parametersOf(options));
-  for (const std::string& name : report.unknown) {
-    std::cerr << "map_bag: " << config << ": unknown parameter " << name << " has no effect\n";
-  }
-  std::string problems;
-  for (const std::string& problem : report.problems) {
-    problems += (problems.empty() ? "" : "\n") + problem;
-  }
-  if (!problems.empty()) {
-    throw std::runtime_error(problems);
+  if (!config.empty()) {
+    loadYamlParameters(config, parametersOf(options));
   }
   return options.mapping;
 }
@@ -101,5 +90,8 @@ int main(int argc, char** argv) {
   CLI::App app("Draws the session map of a bag.", "map_bag");
   Arguments arguments;
   describe(app, arguments);
-  return map_matcher::tools::run(app, argc, argv, [&arguments] { drawBag(arguments); });
+  return map_matcher::tools::run(app, argc, argv, [&arguments] {
+    drawBag(arguments);
+    return map_matcher::tools::kDone;
+  });
 }

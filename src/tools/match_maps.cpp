@@ -7,9 +7,11 @@
 #include <optional>
 #include <string>
 
+#include "command_line.hpp"
 #include "map_matcher/evaluation/overlay_image.hpp"
 #include "map_matcher/grid/map_file.hpp"
 #include "map_matcher/parameters/yaml_parameters.hpp"
+#include "map_matcher/ros/map_matcher_server_options.hpp"
 #include "map_matcher/search/map_matcher.hpp"
 
 namespace {
@@ -20,9 +22,7 @@ using map_matcher::OccupancyGrid;
 using map_matcher::Rigid2;
 using map_matcher::StageReport;
 
-constexpr int kMatched = 0;
-constexpr int kNoMatch = 1;
-constexpr int kBadInput = 2;
+constexpr int kNoMatch = 1;  // exit status
 
 struct Arguments {
   std::string reference;
@@ -98,24 +98,16 @@ void printSummary(const MatchResult& result) {
   std::cout << "search " << 1e3 * result.search_time << " ms, reference " << 1e3 * result.reference_time << " ms\n";
 }
 
-/// Options from the configuration file; throws std::runtime_error with every problem in it.
+/// Options from the configuration file, which is the node's.
 MatchOptions readOptions(const std::string& config) {
-  MatchOptions options;
-  if (config.empty()) {
-    return options;
+  map_matcher::MapMatcherServerOptions options;
+  if (!config.empty()) {
+    loadYamlParameters(config, parametersOf(options));
   }
-  const auto report = map_matcher::readYamlParameters(config, parametersOf(options));
-  std::string problems;
-  for (const std::string& problem : report.problems) {
-    problems += (problems.empty() ? "" : "\n") + problem;
-  }
-  if (!problems.empty()) {
-    throw std::runtime_error(problems);
-  }
-  return options;
+  return options.match;
 }
 
-int run(const Arguments& arguments) {
+int matchMaps(const Arguments& arguments) {
   const MatchOptions options = readOptions(arguments.config);
   map_matcher::MapMatcher matcher(options);
   const OccupancyGrid reference = map_matcher::loadMap(arguments.reference);
@@ -133,7 +125,7 @@ int run(const Arguments& arguments) {
     map_matcher::writeOverlayImage(arguments.overlay, reference, session, pose,
                                    static_cast<std::int8_t>(options.occupied_threshold));
   }
-  return result.matched() ? kMatched : kNoMatch;
+  return result.matched() ? map_matcher::tools::kDone : kNoMatch;
 }
 
 void describe(CLI::App& app, Arguments& arguments) {
@@ -153,13 +145,5 @@ int main(int argc, char** argv) {
   CLI::App app("Finds where a session map lies in a reference map.", "match_maps");
   Arguments arguments;
   describe(app, arguments);
-  try {
-    app.parse(argc, argv);
-    return run(arguments);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kMatched : kBadInput;
-  } catch (const std::exception& error) {
-    std::cerr << "match_maps: " << error.what() << '\n';
-    return kBadInput;
-  }
+  return map_matcher::tools::run(app, argc, argv, [&arguments] { return matchMaps(arguments); });
 }

@@ -31,17 +31,16 @@ struct Arguments {
 
 void describe(CLI::App& app, Arguments& arguments) {
   auto* map = app.add_option("--map", arguments.map, "YAML file of the map to drive in");
-  app.add_option("--building-seed", arguments.building_seed,
-                 "Drive in the floor that generate_building makes of this seed")
-      ->capture_default_str()
+  map_matcher::tools::addSeed(app, "--building-seed", arguments.building_seed,
+                              "Drive in the floor that generate_building makes of this seed")
       ->excludes(map);
   app.add_option("--bag", arguments.bag, "Bag to write")->required();
-  app.add_option("--seed", arguments.drive.seed, "Whole number from 0: the way and the noise")->capture_default_str();
+  map_matcher::tools::addSeed(app, "--seed", arguments.drive.seed, "Of the way and the noise");
   app.add_option("--start", arguments.start, "Pose x y yaw in the map [m m rad]; random when not given")->expected(3);
   app.add_option("--waypoints", arguments.waypoints,
                  "Places x1 y1 x2 y2 ... in the map to visit in this order [m]; random ones when not given");
   map_matcher::tools::addOptions(app, parametersOf(arguments.drive));
-  app.footer("Exit status: 0 written, 2 bad input.");
+  app.footer("Exit status: 0 written, 2 bad input.\n");
 }
 
 DriveOptions readOptions(const Arguments& arguments) {
@@ -87,5 +86,8 @@ int main(int argc, char** argv) {
                "simulate_drive");
   Arguments arguments;
   describe(app, arguments);
-  return map_matcher::tools::run(app, argc, argv, [&] { simulate(arguments); });
+  return map_matcher::tools::run(app, argc, argv, [&] {
+    simulate(arguments);
+    return map_matcher::tools::kDone;
+  });
 }

@@ -27,11 +27,11 @@ struct DriveBagOptions {
   std::string lidar_frame = "laser";
 };
 
-/// Writes the bag, replacing the file. Every step of the drive gives four messages with the step's stamp: /tf with both
-/// odometry_frame -> base_frame and base_frame -> lidar_frame (the fixed mounting is repeated, so that a replay may
-/// begin anywhere), odometry, ground truth, and last the scan, whose transform is then known. Messages of the same
-/// drive are the same byte for byte. Throws DriveBagError when the file cannot be written or start_stamp is out of its
-/// range.
+/// Writes the bag, replacing the file. Every step of the drive gives four messages with the step's stamp, which arrive
+/// in this order: /tf with both odometry_frame -> base_frame and base_frame -> lidar_frame (the fixed mounting is
+/// repeated, so that a replay may begin anywhere), odometry and ground truth 1 ms later, and the scan 2 ms later, when
+/// its transform is known. Messages of the same drive are the same byte for byte. Throws DriveBagError when the file
+/// cannot be written or start_stamp is out of its range.
 void writeDriveBag(const Drive& drive, const std::string& path, const DriveBagOptions& options = {});
 
 }  // namespace map_matcher

@@ -16,11 +16,13 @@ namespace map_matcher {
 /// One search: which rotation and whole-cell translation put the most session cells on walls.
 struct SearchProblem {
   const PrecomputedGrids& reference;
-  std::vector<RotatedCells> rotations;  ///< The session cells under each rotation; all of the same, non-zero number.
-  std::vector<SearchWindow> windows;    ///< Translations to look at under each rotation.
-  std::vector<std::int32_t> order;      ///< Rank of each rotation in the initial node list; empty: by score alone.
-  std::int32_t min_count = 1;           ///< Fewest matched cells that are an answer: the initial threshold.
-  int root_level = 0;                   ///< Level of the initial nodes, at most the reference's top level.
+  /// The session cells under each rotation; all of the same, non-zero number. They are scored in this order: the sooner
+  /// a good one comes, the sooner the others are given up.
+  std::vector<RotatedCells> rotations;
+  std::vector<SearchWindow> windows;  ///< Translations to look at under each rotation.
+  std::vector<std::int32_t> order;    ///< Rank of each rotation in the initial node list; empty: by score alone.
+  std::int32_t min_count = 1;         ///< Fewest matched cells that are an answer: the initial threshold.
+  int root_level = 0;                 ///< Level of the initial nodes, at most the reference's top level.
 };
 
 /// A pose of the search.

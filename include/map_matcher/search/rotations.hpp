@@ -17,8 +17,8 @@ double rotationStep(double rotation_downsampling, double diagonal);
 /// - 1.)
 std::vector<double> allRotations(double rotation_downsampling, double diagonal);
 
-/// Angles centre + k * step for all whole k with |k| * step <= half_width (plus one step at each end, so that the whole
-/// interval is covered), not more than a full turn [rad].
+/// Angles centre + k * step, k = 0, -1, 1, -2, 2, ..., that cover centre +- half_width, not more than a full turn
+/// [rad].
 std::vector<double> rotationsAround(double centre, double half_width, double step);
 
 /// Whole cells of the session's points under one rotation: floor(R(angle) * point).

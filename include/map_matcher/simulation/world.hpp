@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -31,8 +32,17 @@ class World {
   /// unknown or outside the grid; 0 in such a place. At most 1.7 cells less than the true distance.
   double clearance(const Eigen::Vector2d& p_map) const;
 
+  /// Whether a circle of this radius [m] around a point of the map frame holds nothing but free cells; exact. False
+  /// outside the grid.
+  bool isClear(const Eigen::Vector2d& p_map, double radius) const;
+
  private:
+  bool isBlocked(int x, int y) const { return free_space_[paddedIndex(x, y)] == 0.0F; }
+  std::size_t paddedIndex(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(padded_width_) + static_cast<std::size_t>(x);
+  }
   Eigen::Vector2d toCells(const Eigen::Vector2d& p_map) const;
+  bool isInside(const Eigen::Vector2d& p) const;
   void measureStrides(const OccupancyGrid& grid, std::int8_t occupied_threshold);
   void measureFreeSpace(const OccupancyGrid& grid, std::int8_t occupied_threshold);
 

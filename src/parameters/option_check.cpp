@@ -1,4 +1,4 @@
-#include "map_matcher/simulation/option_check.hpp"
+#include "map_matcher/parameters/option_check.hpp"
 
 #include <stdexcept>
 

@@ -1,0 +1,15 @@
+/// \file
+/// What a misspelt name was meant to be.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "map_matcher/parameters/parameter.hpp"
+
+namespace map_matcher {
+
+/// The known name that `name` was most likely meant to be; none when all differ by more than a third of their letters.
+std::optional<std::string> nearestName(const std::string& name, const ParameterList& parameters);
+
+}  // namespace map_matcher

@@ -1,0 +1,49 @@
+/// \file
+/// Finds places for furniture in one space of a floor.
+#pragma once
+
+#include <vector>
+
+#include "map_matcher/simulation/floor_plan.hpp"
+#include "map_matcher/simulation/furnishing.hpp"
+#include "map_matcher/simulation/furniture.hpp"
+#include "map_matcher/simulation/random_numbers.hpp"
+
+namespace map_matcher {
+
+/// A wall of a space.
+enum class Side { kBottom, kRight, kTop, kLeft };
+
+/// Furnishes one space. Every place* function tries some random places, leaves the piece out when none is free, and
+/// tells which. A place is free when the piece touches a wall or leaves a passage to it, leaves a passage to every
+/// other piece, and stands on no floor that is kept free.
+class Furnisher {
+ public:
+  /// `floor`: between the faces of the walls [m]. `kept_free`: in the frame of the plan. `passage` [m]. `random` must
+  /// outlive the furnisher.
+  Furnisher(const Rectangle& floor, std::vector<Rectangle> kept_free, double passage, RandomNumbers& random);
+
+  bool placeAtWall(const Furniture& piece, const std::vector<Side>& sides);
+  bool placeAtAnyWall(const Furniture& piece);
+  bool placeFree(const Furniture& piece);
+
+  /// Stands a door's leaf open on this side of it, when it is in nobody's way there.
+  bool placeDoorLeaf(const Door& door);
+
+  RandomNumbers& random() { return random_; }
+  const Rectangle& floor() const { return space_.floor; }
+  const FurnishedSpace& space() const { return space_; }
+
+ private:
+  Rigid2 randomPoseAtWall(const Furniture& piece, Side side);
+  bool add(Furniture piece);
+  bool fits(const Rectangle& footprint) const;
+  bool isClear(const Rectangle& footprint) const;
+
+  FurnishedSpace space_;
+  std::vector<Rectangle> kept_free_;
+  double passage_;
+  RandomNumbers& random_;
+};
+
+}  // namespace map_matcher

@@ -1,0 +1,217 @@
+#include <geometry_msgs/PoseStamped.h>
+#include <gtest/gtest.h>
+#include <nav_msgs/Odometry.h>
+#include <ros/serialization.h>
+#include <rosbag/bag.h>
+#include <rosbag/view.h>
+#include <sensor_msgs/LaserScan.h>
+#include <tf2/buffer_core.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "map_matcher/ros/conversions.hpp"
+#include "map_matcher/ros/drive_bag.hpp"
+#include "support/ascii_map.hpp"
+#include "support/temporary_dir.hpp"
+#include "support/thrown_text.hpp"
+
+namespace map_matcher {
+namespace {
+
+using test::TemporaryDir;
+using test::thrownText;
+
+Drive smallDrive(std::uint64_t seed = 1) {
+  const OccupancyGrid room = test::asciiMap({"############",  //
+                                             "#..........#",  //
+                                             "#.......#..#",  //
+                                             "#..........#",  //
+                                             "############"},
+                                            0.7);
+  DriveOptions options;
+  options.seed = seed;
+  options.duration = 4.0;
+  options.rate = 15.0;
+  options.lidar.beams = 31;
+  options.lidar.range_max = 3.0;  // some rays return nothing
+  options.robot.radius = 0.2;
+  return simulateDrive(room, options);
+}
+
+struct Recorded {
+  std::string topic;
+  std::string type;
+  ros::Time stamp;
+  std::vector<std::uint8_t> bytes;
+};
+
+bool operator==(const Recorded& a, const Recorded& b) {
+  return a.topic == b.topic && a.type == b.type && a.stamp == b.stamp && a.bytes == b.bytes;
+}
+
+std::vector<Recorded> readBack(const std::string& path) {
+  rosbag::Bag bag(path, rosbag::bagmode::Read);
+  std::vector<Recorded> messages;
+  for (const rosbag::MessageInstance& instance : rosbag::View(bag)) {
+    std::vector<std::uint8_t> bytes(instance.size());
+    ros::serialization::OStream stream(bytes.data(), instance.size());
+    instance.write(stream);
+    messages.push_back({instance.getTopic(), instance.getDataType(), instance.getTime(), std::move(bytes)});
+  }
+  return messages;
+}
+
+template <typename Message>
+std::vector<Message> messagesOn(const std::string& topic, const std::string& path) {
+  rosbag::Bag bag(path, rosbag::bagmode::Read);
+  std::vector<Message> messages;
+  for (const rosbag::MessageInstance& instance : rosbag::View(bag, rosbag::TopicQuery(topic))) {
+    messages.push_back(*instance.instantiate<Message>());
+  }
+  return messages;
+}
+
+class DriveBag : public testing::Test {
+ protected:
+  void SetUp() override { writeDriveBag(drive_, path_); }
+
+  const Drive drive_ = smallDrive();
+  const TemporaryDir dir_;
+  const std::string path_ = dir_ / "drive.bag";
+};
+
+TEST_F(DriveBag, holdsFourMessagesOfEveryStepWithRisingStamps) {
+  const std::vector<Recorded> messages = readBack(path_);
+  std::map<std::string, std::string> types;
+  std::map<std::string, std::size_t> counts;
+  std::map<std::string, ros::Time> last;
+  for (const Recorded& message : messages) {
+    types[message.topic] = message.type;
+    ++counts[message.topic];
+    EXPECT_GT(message.stamp, last[message.topic]) << message.topic;
+    last[message.topic] = message.stamp;
+  }
+  EXPECT_EQ(types, (std::map<std::string, std::string>{{"/ground_truth", "geometry_msgs/PoseStamped"},
+                                                       {"/odom", "nav_msgs/Odometry"},
+                                                       {"/scan", "sensor_msgs/LaserScan"},
+                                                       {"/tf", "tf2_msgs/TFMessage"}}));
+  for (const auto& [topic, count] : counts) {
+    EXPECT_EQ(count, drive_.steps.size()) << topic;
+  }
+  EXPECT_EQ(messages.front().stamp, ros::Time(1000.0));
+  EXPECT_EQ(messages.back().stamp, ros::Time(1004.002));  // the scan arrives last
+}
+
+TEST_F(DriveBag, holdsTheScansAsTheyWereMeasured) {
+  const auto scans = messagesOn<sensor_msgs::LaserScan>("/scan", path_);
+  ASSERT_EQ(scans.size(), drive_.steps.size());
+  bool some_returned_nothing = false;
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    const LidarScan& expected = drive_.steps[i].scan;
+    EXPECT_EQ(scans[i].header.frame_id, "laser");
+    EXPECT_EQ(scans[i].header.seq, i);
+    EXPECT_EQ(scans[i].ranges, expected.ranges);
+    EXPECT_FLOAT_EQ(scans[i].angle_min, static_cast<float>(expected.angle_min));
+    EXPECT_FLOAT_EQ(scans[i].angle_max, static_cast<float>(-expected.angle_min));
+    EXPECT_FLOAT_EQ(scans[i].angle_increment, static_cast<float>(expected.angle_increment));
+    EXPECT_FLOAT_EQ(scans[i].range_max, 3.0F);
+    EXPECT_FLOAT_EQ(scans[i].scan_time, 1.0F / 15.0F);
+    for (const float range : scans[i].ranges) {
+      some_returned_nothing = some_returned_nothing || std::isinf(range);
+    }
+  }
+  EXPECT_TRUE(some_returned_nothing);
+}
+
+TEST_F(DriveBag, holdsOdometryAndGroundTruth) {
+  const auto odometry = messagesOn<nav_msgs::Odometry>("/odom", path_);
+  const auto truth = messagesOn<geometry_msgs::PoseStamped>("/ground_truth", path_);
+  ASSERT_EQ(odometry.size(), drive_.steps.size());
+  ASSERT_EQ(truth.size(), drive_.steps.size());
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    const DriveStep& step = drive_.steps[i];
+    EXPECT_EQ(odometry[i].header.frame_id, "odom");
+    EXPECT_EQ(odometry[i].child_frame_id, "base_link");
+    EXPECT_EQ(truth[i].header.frame_id, "map");
+    EXPECT_EQ(truth[i].header.stamp, odometry[i].header.stamp);
+    EXPECT_EQ(odometry[i].twist.twist.linear.x, step.velocity.linear);
+    EXPECT_EQ(odometry[i].twist.twist.angular.z, step.velocity.angular);
+    const Rigid2 read = fromMessage(odometry[i].pose.pose, "odometry");
+    const Rigid2 stood = fromMessage(truth[i].pose, "truth");
+    EXPECT_NEAR(read.x, step.T_odom_base.x, 1e-12);
+    EXPECT_NEAR(read.yaw, step.T_odom_base.yaw, 1e-12);
+    EXPECT_NEAR(stood.y, step.T_map_base.y, 1e-12);
+    EXPECT_NEAR(stood.yaw, step.T_map_base.yaw, 1e-12);
+  }
+}
+
+/// A mapper that looks the scan's transform up as the scan comes must find it.
+TEST_F(DriveBag, tellsTheTransformOfEveryScanBeforeTheScan) {
+  tf2::BufferCore buffer;
+  rosbag::Bag bag(path_, rosbag::bagmode::Read);
+  std::size_t num_scans = 0;
+  for (const rosbag::MessageInstance& instance : rosbag::View(bag)) {
+    if (const auto transforms = instance.instantiate<tf2_msgs::TFMessage>()) {
+      for (const geometry_msgs::TransformStamped& transform : transforms->transforms) {
+        ASSERT_TRUE(buffer.setTransform(transform, "bag"));
+      }
+    }
+    if (const auto scan = instance.instantiate<sensor_msgs::LaserScan>()) {
+      const auto transform = buffer.lookupTransform("odom", scan->header.frame_id, scan->header.stamp);
+      const Rigid2 expected = drive_.steps[num_scans].T_odom_base * drive_.T_base_lidar;
+      const Rigid2 T_odom_laser = fromMessage(transform.transform, "T_odom_laser");
+      EXPECT_NEAR(T_odom_laser.x, expected.x, 1e-9);
+      EXPECT_NEAR(T_odom_laser.y, expected.y, 1e-9);
+      EXPECT_NEAR(normalizeAngle(T_odom_laser.yaw - expected.yaw), 0.0, 1e-9);
+      ++num_scans;
+    }
+  }
+  EXPECT_EQ(num_scans, drive_.steps.size());
+}
+
+TEST_F(DriveBag, isTheSameForTheSameSeedOnly) {
+  const std::string again = dir_ / "again.bag";
+  const std::string other = dir_ / "other.bag";
+  writeDriveBag(smallDrive(1), again);
+  writeDriveBag(smallDrive(2), other);
+  EXPECT_TRUE(readBack(again) == readBack(path_));
+  EXPECT_FALSE(readBack(other) == readBack(path_));
+}
+
+TEST_F(DriveBag, takesOtherNamesAndAnotherStart) {
+  DriveBagOptions options;
+  options.start_stamp = 50.25;
+  options.scan_topic = "/sick_laser_front/scan";
+  options.lidar_frame = "sick_laser_front";
+  options.map_frame = "truth_map";
+  const std::string path = dir_ / "named.bag";
+  writeDriveBag(drive_, path, options);
+  const auto scans = messagesOn<sensor_msgs::LaserScan>("/sick_laser_front/scan", path);
+  ASSERT_EQ(scans.size(), drive_.steps.size());
+  EXPECT_EQ(scans.front().header.stamp, ros::Time(50.25));
+  EXPECT_EQ(scans.front().header.frame_id, "sick_laser_front");
+  EXPECT_EQ(messagesOn<tf2_msgs::TFMessage>("/tf", path).front().transforms[1].child_frame_id, "sick_laser_front");
+  EXPECT_EQ(messagesOn<geometry_msgs::PoseStamped>("/ground_truth", path).front().header.frame_id, "truth_map");
+}
+
+TEST_F(DriveBag, thatCannotBeWrittenIsAnErrorThatNamesTheFile) {
+  const std::string path = dir_ / "missing/drive.bag";
+  const std::string text = thrownText<DriveBagError>([&] { writeDriveBag(drive_, path); });
+  EXPECT_NE(text.find(path), std::string::npos) << text;
+}
+
+TEST_F(DriveBag, refusesAStartThatIsNoStamp) {
+  for (const double stamp : {0.0, -5.0, 1e10, std::nan("")}) {
+    DriveBagOptions options;
+    options.start_stamp = stamp;
+    const std::string text = thrownText<DriveBagError>([&] { writeDriveBag(drive_, dir_ / "bad.bag", options); });
+    EXPECT_NE(text.find("start_stamp is"), std::string::npos) << text;
+  }
+}
+
+}  // namespace
+}  // namespace map_matcher
