@@ -10,7 +10,7 @@ from node_fixture import NodeFixture, is_between, run
 START = (12.3, 7.1, 0.7)  # T_reference_session
 INVERSE = (*transformed((0.0, 0.0, -START[2]), -START[0], -START[1]), -START[2])
 TF_RATE = 20.0  # [Hz], the default
-TRANSFORM_TOLERANCE = 0.5  # [s], as in tf_mode.test
+TRANSFORM_TOLERANCE = 0.5  # [s], as in tf_mode.launch
 NUM_TRANSFORMS = 20
 
 
