@@ -2,6 +2,9 @@
 
 #include <ros/console.h>
 
+#include <iostream>
+#include <sstream>
+
 #include "map_matcher/ros/conversions.hpp"
 #include "map_matcher/ros/scan_conversions.hpp"
 
@@ -11,6 +14,23 @@ namespace {
 constexpr std::uint32_t kTruthQueue = 1000;
 constexpr double kWarningPeriod = 5.0;      // [s]
 const ros::WallDuration kTickPeriod(0.05);  // between two looks for transforms
+
+void writeFigures(std::ostream& out, const char* name, const ErrorStatistics& error, const char* unit) {
+  out << name << " error: mean " << error.mean << ", median " << error.median << ", rms " << error.rms << ", worst "
+      << error.worst << ' ' << unit << '\n';
+}
+
+std::string summaryText(const TrajectoryError& error) {
+  std::ostringstream text;
+  text << "pose known in " << error.estimates << " of " << error.samples << " moments";
+  if (error.translation) {
+    text << ", first after " << *error.time_to_first_estimate << " s\n";
+    writeFigures(text, "translation", *error.translation, "m");
+    writeFigures(text, "rotation", *error.rotation, "rad");
+    return text.str();
+  }
+  return text.str() + '\n';
+}
 
 }  // namespace
 
@@ -99,17 +119,7 @@ std::optional<Rigid2> PoseEvaluatorServer::lookUp(const std::string& child, cons
 
 void PoseEvaluatorServer::sumUp() const {
   const TrajectoryError error = evaluateTrajectory(record_.samples());
-  if (error.translation) {
-    ROS_INFO_STREAM("localized in " << error.estimates << " of " << error.samples << " moments, first after "
-                                    << *error.time_to_first_estimate << " s");
-    ROS_INFO_STREAM("translation error: mean " << error.translation->mean << ", median " << error.translation->median
-                                               << ", rms " << error.translation->rms << ", worst "
-                                               << error.translation->worst << " m");
-    ROS_INFO_STREAM("rotation error: mean " << error.rotation->mean << ", median " << error.rotation->median << ", rms "
-                                            << error.rotation->rms << ", worst " << error.rotation->worst << " rad");
-  } else {
-    ROS_WARN_STREAM("not localized in any of " << error.samples << " moments");
-  }
+  std::cout << summaryText(error) << std::flush;  // rosconsole is closed when the node ends
   if (!options_.summary_file.empty()) {
     writeSummary(error, options_.summary_file);
   }
