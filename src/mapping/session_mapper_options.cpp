@@ -31,6 +31,15 @@ ParameterList icpParametersOf(IcpOptions& icp) {
   };
 }
 
+void expectBelow(const char* low_name, double low, const char* high_name, double high,
+                 std::vector<std::string>& problems) {
+  if (low >= high) {
+    std::ostringstream text;
+    text << low_name << " is " << low << ", expected less than " << high_name << " = " << high << " m";
+    problems.push_back(text.str());
+  }
+}
+
 }  // namespace
 
 ParameterList parametersOf(SessionMapperOptions& options) {
@@ -58,15 +67,8 @@ ParameterList parametersOf(SessionMapperOptions& options) {
 std::vector<std::string> problemsWith(const SessionMapperOptions& options) {
   SessionMapperOptions copy = options;
   std::vector<std::string> problems = problemsOf(parametersOf(copy));
-  const auto expectBelow = [&problems](const char* low_name, double low, const char* high_name, double high) {
-    if (low >= high) {
-      std::ostringstream text;
-      text << low_name << " is " << low << ", expected less than " << high_name << " = " << high << " m";
-      problems.push_back(text.str());
-    }
-  };
-  expectBelow("xmin", options.xmin, "xmax", options.xmax);
-  expectBelow("ymin", options.ymin, "ymax", options.ymax);
+  expectBelow("xmin", options.xmin, "xmax", options.xmax, problems);
+  expectBelow("ymin", options.ymin, "ymax", options.ymax, problems);
   if (options.max_range > 0.0 && options.max_urange > options.max_range) {
     std::ostringstream text;
     text << "maxUrange is " << options.max_urange << ", expected at most maxRange = " << options.max_range << " m";
