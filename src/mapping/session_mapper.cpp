@@ -11,6 +11,7 @@
 
 #include "map_matcher/mapping/beams.hpp"
 #include "map_matcher/mapping/hit_counting_grid.hpp"
+#include "map_matcher/parameters/option_check.hpp"
 
 namespace map_matcher {
 namespace {
@@ -18,14 +19,6 @@ namespace {
 constexpr int kMinHits = 10;             // fewer points do not tell a pose
 constexpr double kPointSpacing = 0.03;   // [m] of the points that scans are matched to
 constexpr double kThresholdDecay = 0.8;  // of the correspondence distance, at each convergence
-
-std::string joined(const std::vector<std::string>& lines) {
-  std::string text;
-  for (const std::string& line : lines) {
-    text += (text.empty() ? "" : "; ") + line;
-  }
-  return text;
-}
 
 bool isFinite(const Rigid2& pose) { return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.yaw); }
 
@@ -108,12 +101,7 @@ struct Session {
 
 class SessionMapper::Impl {
  public:
-  explicit Impl(const SessionMapperOptions& options) : options_(options) {
-    const std::vector<std::string> problems = problemsWith(options);
-    if (!problems.empty()) {
-      throw std::invalid_argument(joined(problems));
-    }
-  }
+  explicit Impl(const SessionMapperOptions& options) : options_(options) { throwIfAny(problemsWith(options)); }
 
   const SessionMapperOptions& options() const { return options_; }
   const Rigid2& T_session_odom() const { return T_session_odom_; }

@@ -12,13 +12,13 @@ constexpr double kSmallestCell = 0.001;   // [m]
 constexpr double kLargestCell = 1.0;      // [m]
 constexpr double kLargestExtent = 1e5;    // [m]
 constexpr double kLongestRange = 1000.0;  // [m]
-constexpr double kPi = 3.14159265358979323846;
+constexpr double kLargestTurn = 3.15;     // [rad] a bit more than half a turn
 
 ParameterList icpParametersOf(IcpOptions& icp) {
   return {
       {"icp_linear_update", "m", "Motion after which a scan corrects the pose again.", &icp.linear_update, 0.0, 100.0},
       {"icp_angular_update", "rad", "Turning after which a scan corrects the pose again.", &icp.angular_update, 0.0,
-       kPi},
+       kLargestTurn},
       {"icp_max_distance", "m", "Points farther apart than this do not correspond, at first.", &icp.max_distance, 0.01,
        10.0},
       {"icp_max_angle", "rad", "Widens icp_max_distance by this times the range of the point.", &icp.max_angle, 0.0,
@@ -31,21 +31,31 @@ ParameterList icpParametersOf(IcpOptions& icp) {
   };
 }
 
+void expectBelow(const char* low_name, double low, const char* high_name, double high,
+                 std::vector<std::string>& problems) {
+  if (low >= high) {
+    std::ostringstream text;
+    text << low_name << " is " << low << ", expected less than " << high_name << " = " << high << " m";
+    problems.push_back(text.str());
+  }
+}
+
 }  // namespace
 
 ParameterList parametersOf(SessionMapperOptions& options) {
   ParameterList parameters = {
       {"linearUpdate", "m", "Motion after which a scan is drawn.", &options.linear_update, 0.0, 100.0},
-      {"angularUpdate", "rad", "Turning after which a scan is drawn.", &options.angular_update, 0.0, kPi},
+      {"angularUpdate", "rad", "Turning after which a scan is drawn.", &options.angular_update, 0.0, kLargestTurn},
       {"maxRange", "m", "Longer ranges say nothing; 0: the scan's range_max less 1 cm.", &options.max_range, 0.0,
        kLongestRange},
-      {"maxUrange", "m", "Longer ranges clear the space up to here and show no wall; 0: as maxRange.",
+      {"maxUrange", "m", "Longer ranges clear the space up to here and show no wall, at most maxRange; 0: as maxRange.",
        &options.max_urange, 0.0, kLongestRange},
       {"delta", "m", "Edge length of a cell of the map.", &options.delta, kSmallestCell, kLargestCell},
       {"occ_thresh", "", "A cell is a wall when more than this share of the beams that reached it ended in it.",
        &options.occ_thresh, 0.0, 1.0},
-      {"xmin", "m", "Left side of the first map; it grows as needed.", &options.xmin, -kLargestExtent, kLargestExtent},
-      {"ymin", "m", "Lower side of the first map.", &options.ymin, -kLargestExtent, kLargestExtent},
+      {"xmin", "m", "Left side of the first map in the session frame, less than xmax; it grows as needed.",
+       &options.xmin, -kLargestExtent, kLargestExtent},
+      {"ymin", "m", "Lower side of the first map, less than ymax.", &options.ymin, -kLargestExtent, kLargestExtent},
       {"xmax", "m", "Right side of the first map.", &options.xmax, -kLargestExtent, kLargestExtent},
       {"ymax", "m", "Upper side of the first map.", &options.ymax, -kLargestExtent, kLargestExtent},
   };
@@ -57,15 +67,8 @@ ParameterList parametersOf(SessionMapperOptions& options) {
 std::vector<std::string> problemsWith(const SessionMapperOptions& options) {
   SessionMapperOptions copy = options;
   std::vector<std::string> problems = problemsOf(parametersOf(copy));
-  const auto expectBelow = [&problems](const char* low_name, double low, const char* high_name, double high) {
-    if (low >= high) {
-      std::ostringstream text;
-      text << low_name << " is " << low << ", expected less than " << high_name << " = " << high << " m";
-      problems.push_back(text.str());
-    }
-  };
-  expectBelow("xmin", options.xmin, "xmax", options.xmax);
-  expectBelow("ymin", options.ymin, "ymax", options.ymax);
+  expectBelow("xmin", options.xmin, "xmax", options.xmax, problems);
+  expectBelow("ymin", options.ymin, "ymax", options.ymax, problems);
   if (options.max_range > 0.0 && options.max_urange > options.max_range) {
     std::ostringstream text;
     text << "maxUrange is " << options.max_urange << ", expected at most maxRange = " << options.max_range << " m";

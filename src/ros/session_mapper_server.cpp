@@ -13,18 +13,18 @@ constexpr std::uint32_t kScanQueue = 10;
 constexpr double kWarningPeriod = 5.0;        // [s]
 const ros::WallDuration kWaitingPeriod(5.0);  // between two words about what is missing
 
+void expectOther(const char* name, const std::string& value, const char* other_name, const std::string& other) {
+  if (value.empty() || value == other) {
+    throw std::invalid_argument("~" + std::string(name) + " is \"" + value + "\", expected a name other than ~" +
+                                other_name + " = \"" + other + "\"");
+  }
+}
+
 /// The options with the slashes of former times taken off; throws unless the three frames differ.
 SessionMapperServerOptions checked(SessionMapperServerOptions options) {
   options.map_frame = withoutLeadingSlash(options.map_frame);
   options.mapping.odom_frame = withoutLeadingSlash(options.mapping.odom_frame);
   options.mapping.base_frame = withoutLeadingSlash(options.mapping.base_frame);
-  const auto expectOther = [](const char* name, const std::string& value, const char* other_name,
-                              const std::string& other) {
-    if (value.empty() || value == other) {
-      throw std::invalid_argument("~" + std::string(name) + " is \"" + value + "\", expected a name other than ~" +
-                                  other_name + " = \"" + other + "\"");
-    }
-  };
   expectOther("map_frame", options.map_frame, "odom_frame", options.mapping.odom_frame);
   expectOther("odom_frame", options.mapping.odom_frame, "base_frame", options.mapping.base_frame);
   expectOther("base_frame", options.mapping.base_frame, "map_frame", options.map_frame);
