@@ -81,8 +81,8 @@ INSTANTIATE_TEST_SUITE_P(Sets, RecordedSessions,
                                          RecordedSet{"freiburg-101-4m", 10, 10, 0}, RecordedSet{"intel", 16, 16, 0},
                                          RecordedSet{"intel-1m", 12, 12, 0}, RecordedSet{"intel-3m", 12, 12, 0},
                                          RecordedSet{"wean", 8, 4, 1}),
-                         [](const auto& info) {
-                           std::string name = info.param.name;
+                         [](const auto& set) {
+                           std::string name = set.param.name;
                            std::replace_if(
                                name.begin(), name.end(), [](char c) { return c == '-' || c == '.'; }, '_');
                            return name;
