@@ -1,7 +1,6 @@
 #include "map_matcher/simulation/drive.hpp"
 
 #include <cmath>
-#include <limits>
 #include <sstream>
 #include <stdexcept>
 #include <string>

@@ -4,10 +4,6 @@
 
 namespace map_matcher {
 
-Rectangle Rectangle::grown(double distance) const {
-  return {x_min - distance, y_min - distance, x_max + distance, y_max + distance};
-}
-
 double separation(const Rectangle& a, const Rectangle& b) {
   const double apart_x = std::max(a.x_min - b.x_max, b.x_min - a.x_max);
   const double apart_y = std::max(a.y_min - b.y_max, b.y_min - a.y_max);

@@ -17,9 +17,6 @@ struct Rectangle {
   double height() const { return y_max - y_min; }     ///< Along y [m]; negative when there is nothing in it.
   double area() const { return width() * height(); }  ///< [m^2]
   Eigen::Vector2d centre() const { return {0.5 * (x_min + x_max), 0.5 * (y_min + y_max)}; }  ///< [m]
-
-  /// The rectangle with every side moved outwards by `distance` [m]; inwards when it is negative.
-  Rectangle grown(double distance) const;
 };
 
 /// Distance between two rectangles along the axis on which they are farther apart [m]: positive when they are apart,
