@@ -66,12 +66,14 @@ class NodeFixture(unittest.TestCase):
         self.session.unregister()
         self.reference.unregister()
 
-    def match(self, session, status=MapMatch.MATCHED):
-        """Publishes a session map, told from others by its stamp, and returns what the node reports about it."""
+    def match(self, session, status=MapMatch.MATCHED, reference_frame=None):
+        """Publishes a session map, told from others by its stamp, and returns what the node reports about it; with
+        `reference_frame`, about it and the reference map of that frame."""
         session.header.stamp = rospy.Time.now()
         self.session.publish(session)
         return self.map_match.wait_for(
-            lambda match: match.session_stamp == session.header.stamp and match.status == status,
+            lambda match: match.session_stamp == session.header.stamp and match.status == status and
+            reference_frame in (None, match.reference_frame),
             "map_match with status %d" % status)
 
     def wait_for_tf(self, parent, child, deadline=DEADLINE):
