@@ -60,6 +60,14 @@ TEST(SessionCells, AreSampledReproduciblyAndFromEverywhere) {
   EXPECT_NEAR(static_cast<double>(to_the_right), 200.0, 50.0);
 }
 
+TEST(SessionCells, AreDownsampledUntilACellIsAsLargeAsTheSession) {
+  SessionCells session;
+  for (const auto& [side, steps] : {std::pair(1, 0), std::pair(2, 1), std::pair(3, 1), std::pair(150, 7)}) {
+    session.longest_side = side;
+    EXPECT_EQ(downsamplingSteps(session), steps) << side;  // eq. 4.1
+  }
+}
+
 TEST(SessionCells, ThresholdAboveTheirNumberKeepsAll) {
   EXPECT_EQ(prepareSessionCells({{0, 0}, {4, 2}}, 0.05, 0.05, CellMerging::kNone, 10).points.size(), 2U);
 }

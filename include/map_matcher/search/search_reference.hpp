@@ -11,8 +11,8 @@ namespace map_matcher {
 /// The reference map at the resolutions of both stages. Immutable, hence thread-safe.
 class SearchReference {
  public:
-  /// Levels of the initial nodes. The report starts at H of eq. 4.1, where a node is as wide as the session map; nodes
-  /// so wide match nearly every cell and none is pruned, so that starting here gives the same answer sooner.
+  /// Highest levels of the initial nodes. The report starts at H of eq. 4.1, where a node is as wide as the session
+  /// map; nodes so wide match nearly every cell and none is pruned, so that starting here gives the same answer sooner.
   static constexpr int kCoarseRootLevel = 2;
   static constexpr int kFineRootLevel = 2;
 
