@@ -49,6 +49,7 @@ MapPair syntheticOffice(std::size_t num_cells) {
   const Drive drive = simulateDrive(building, drive_options);
   SessionMapperOptions mapper_options;
   mapper_options.delta = building.resolution();
+  mapper_options.max_range = 12.0;  // a session map of about 24 m x 24 m, not one as long as the corridor
   SessionMapper mapper(mapper_options);
   for (const DriveStep& step : drive.steps) {
     const LidarScan& scan = step.scan;
@@ -83,6 +84,7 @@ void matchPair(benchmark::State& state, const std::shared_ptr<const MapPair>& pa
   }
   state.counters["session_cells"] = result.total_cells;
   state.counters["ratio"] = result.ratio;
+  state.counters["rotations"] = result.stages.empty() ? 0 : result.stages.front().rotations;
   state.SetLabel(toString(result.status));
 }
 

@@ -5,6 +5,6 @@
 #include "map_matcher/ros/run_node.hpp"
 
 int main(int argc, char** argv) {
-  using namespace map_matcher;
-  return runNode<MapMatcherServer, MapMatcherServerOptions>(argc, argv, names::kNode);
+  return map_matcher::runNode<map_matcher::MapMatcherServer, map_matcher::MapMatcherServerOptions>(
+      argc, argv, map_matcher::names::kNode);
 }

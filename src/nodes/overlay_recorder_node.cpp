@@ -4,6 +4,6 @@
 #include "map_matcher/ros/run_node.hpp"
 
 int main(int argc, char** argv) {
-  using namespace map_matcher;
-  return runNode<OverlayRecorder, OverlayRecorderOptions>(argc, argv, "overlay_recorder");
+  return map_matcher::runNode<map_matcher::OverlayRecorder, map_matcher::OverlayRecorderOptions>(argc, argv,
+                                                                                                 "overlay_recorder");
 }

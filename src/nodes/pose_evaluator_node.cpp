@@ -4,6 +4,6 @@
 #include "map_matcher/ros/run_node.hpp"
 
 int main(int argc, char** argv) {
-  using namespace map_matcher;
-  return runNode<PoseEvaluatorServer, PoseEvaluatorOptions>(argc, argv, "pose_evaluator");
+  return map_matcher::runNode<map_matcher::PoseEvaluatorServer, map_matcher::PoseEvaluatorOptions>(argc, argv,
+                                                                                                   "pose_evaluator");
 }

@@ -4,6 +4,6 @@
 #include "map_matcher/ros/session_mapper_server.hpp"
 
 int main(int argc, char** argv) {
-  using namespace map_matcher;
-  return runNode<SessionMapperServer, SessionMapperServerOptions>(argc, argv, "session_mapper");
+  return map_matcher::runNode<map_matcher::SessionMapperServer, map_matcher::SessionMapperServerOptions>(
+      argc, argv, "session_mapper");
 }

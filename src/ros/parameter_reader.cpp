@@ -88,7 +88,7 @@ std::string assign(const Parameter& parameter, const XmlRpcValue& value) {
         }
         const Field before = *field;
         *field = *typed;
-        const std::string problem = problemWith(parameter);
+        std::string problem = problemWith(parameter);
         if (!problem.empty()) {
           *field = before;
         }

@@ -107,7 +107,7 @@ MAP_MATCHER_INLINE std::int32_t addChildren(const Chunk& chunk, std::int32_t* co
     return addTiles<TileShape::kWide, WIDE_BYTES, WIDE_ROWS>(chunk, counts);             \
   }                                                                                      \
   TARGET std::int32_t addNarrowTiles##SUFFIX(const Chunk& chunk, std::int32_t* counts) { \
-    return addTiles<TileShape::kNarrow, 16, 8>(chunk, counts);                           \
+    return addTiles<TileShape::kNarrow, 16, kMaxTileRows>(chunk, counts);                \
   }                                                                                      \
   TARGET std::int32_t addChildren##SUFFIX(const Chunk& chunk, std::int32_t* counts) {    \
     return addChildren(chunk, counts);                                                   \

@@ -8,9 +8,10 @@
 namespace map_matcher {
 namespace {
 
-/// About `num_wanted` cells, equally spaced in the order of the cells.
+/// At most `num_wanted` cells, equally spaced in the order of the cells.
 RotatedCells everyKth(const RotatedCells& cells, int num_wanted) {
-  const std::size_t step = std::max<std::size_t>(1, cells.x.size() / static_cast<std::size_t>(num_wanted));
+  const auto wanted = static_cast<std::size_t>(num_wanted);
+  const std::size_t step = std::max<std::size_t>(1, (cells.x.size() + wanted - 1) / wanted);
   RotatedCells sample;
   for (std::size_t k = 0; k < cells.x.size(); k += step) {
     sample.x.push_back(cells.x[k]);

@@ -105,6 +105,10 @@ Points inShuffledNeighbourhoods(const Points& points) {
 
 }  // namespace
 
+int downsamplingSteps(const SessionCells& session) {
+  return static_cast<int>(std::floor(std::log2(2.0 * std::max(1, session.longest_side)))) - 1;  // eq. 4.1
+}
+
 SessionCells prepareSessionCells(const std::vector<Cell>& cells, double map_resolution, double resolution,
                                  CellMerging merging, int sample_threshold) {
   const double ratio = resolution / map_resolution;

@@ -158,6 +158,7 @@ class TwoStageSearch {
     stage.report.rotation_step = rotationStep(options_.coarse.rotation_downsampling, stage.session.diagonal);
     stage.angles = allRotations(options_.coarse.rotation_downsampling, stage.session.diagonal);  // eq. 4.2, 4.3
     stage.problem.min_count = minCount(options_.coarse.acceptance_ratio, stage.session.points.size());
+    stage.problem.root_level = std::min(stage.problem.root_level, downsamplingSteps(stage.session));
     applyHeadingPrior(stage);
     rotateCells(stage, stop_);
     for (const double angle : stage.angles) {

@@ -13,7 +13,7 @@ namespace map_matcher {
 /// Most columns of translations that the scoring kernel counts at once.
 constexpr int kMaxTileColumns = 64;
 /// Most rows of translations that the scoring kernel counts at once.
-constexpr int kMaxTileRows = 16;
+constexpr int kMaxTileRows = 12;
 
 /// One level of the pooled reference map. The value at (x, y) is 1 when a wall lies in the window
 /// [x, x + 2^level) x [y, y + 2^level) and 0 otherwise: a sliding window at full resolution, so that a node's score is

@@ -15,7 +15,7 @@ namespace map_matcher {
 /// Shape of a tile: how many translations are counted at once.
 enum class TileShape {
   kWide,    ///< 64 columns of 8 rows, for windows as large as a building.
-  kNarrow,  ///< 16 columns of 16 rows, for the small window of the fine stage.
+  kNarrow,  ///< 16 columns of 12 rows, for the small window of the fine stage.
 };
 
 constexpr int tileColumns(TileShape shape) { return shape == TileShape::kWide ? kMaxTileColumns : 16; }

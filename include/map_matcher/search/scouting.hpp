@@ -9,10 +9,10 @@
 
 namespace map_matcher {
 
-/// Indices of the problem's rotations, those first in which a sample of about `num_cells` of the session cells reaches
-/// the most matches at the root level. It decides nothing but the order: with a good rotation first, branch and bound
-/// has a high threshold early and gives most nodes of the others up after a few cells (2 to 5 times less work in a
-/// building; benchmark: BM_Match).
+/// Indices of the problem's rotations, those first in which a sample of at most `num_cells` of the session cells
+/// reaches the most matches at the root level. It decides nothing but the order: with a good rotation first, branch and
+/// bound has a high threshold early and gives most nodes of the others up after a few cells (2 to 5 times less work in
+/// a building; benchmark: BM_Match).
 std::vector<std::size_t> promisingFirst(const SearchProblem& problem, int num_cells, const StopToken& stop = {});
 
 }  // namespace map_matcher

@@ -22,6 +22,10 @@ struct SessionCells {
   int longest_side = 0;                 ///< max(i, j) of eq. 4.1 [cells].
 };
 
+/// Number of downsampling steps H = log2(max(2 i, 2 j)) - 1 of eq. 4.1, at least 0: from this level on a node is about
+/// as wide as the session map.
+int downsamplingSteps(const SessionCells& session);
+
 /// How session cells become points of a stage.
 enum class CellMerging {
   kNone,   ///< Each session cell is a point of its own, at its centre.
