@@ -125,8 +125,12 @@ void MapMatcherServer::conclude(const nav_msgs::OccupancyGridConstPtr& session, 
 void MapMatcherServer::remember(const nav_msgs::OccupancyGridConstPtr& session, const MapMatch& report) {
   if (report.status != MapMatch::INVALID_MAP) {
     last_valid_session_ = session;
+    alignment_dropped_ = false;
   } else if (session_ == session) {
     session_ = last_valid_session_;
+    if (session_ && alignment_dropped_) {  // its match with the reference in use gave way to that of the invalid map
+      submitMatch(nullptr);
+    }
   }
 }
 
@@ -168,6 +172,7 @@ bool MapMatcherServer::followClock(const ros::Time& now) {
 }
 
 void MapMatcherServer::dropAlignment() {
+  alignment_dropped_ = true;
   worker_.cancel();
   broadcaster_.clear();
   pose_publisher_.clear();

@@ -54,6 +54,7 @@ class MapMatcherServer {
   nav_msgs::OccupancyGridConstPtr session_;  // the newest that was not found invalid
   nav_msgs::OccupancyGridConstPtr last_valid_session_;
   ReferenceMapPtr reference_;
+  bool alignment_dropped_ = false;  // and no valid session map was matched since
   std::atomic<std::uint32_t> dropped_session_maps_{0};
   std::uint8_t last_status_ = MapMatch::STOPPED;  // the worker's
   RisingClock clock_;                             // of the thread that spins
