@@ -143,8 +143,8 @@ class BagMapping {
 
   void take(const tf2_msgs::TFMessage& message, bool is_static) {
     for (geometry_msgs::TransformStamped transform : message.transforms) {
-      transform.header.frame_id = withoutLeadingSlash(transform.header.frame_id);
-      transform.child_frame_id = withoutLeadingSlash(transform.child_frame_id);
+      transform.header.frame_id = frameName(transform.header.frame_id);
+      transform.child_frame_id = frameName(transform.child_frame_id);
       tf_.setTransform(transform, "bag", is_static);
     }
   }
