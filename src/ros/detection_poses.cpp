@@ -1,5 +1,7 @@
 #include "map_matcher/ros/detection_poses.hpp"
 
+#include <tf2/exceptions.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -36,7 +38,7 @@ const char* toString(PosePath path) {
   return "none";
 }
 
-DetectionPoses::DetectionPoses(const tf2_ros::Buffer& tf, std::string fixed_frame)
+DetectionPoses::DetectionPoses(const tf2::BufferCore& tf, std::string fixed_frame)
     : tf_(tf), fixed_frame_(std::move(fixed_frame)) {}
 
 DetectionPose DetectionPoses::lookUp(const FrameAt& set, const FrameAt& scan) const {

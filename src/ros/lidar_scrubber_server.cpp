@@ -3,15 +3,12 @@
 #include <ros/console.h>
 
 #include <algorithm>
-#include <boost/make_shared.hpp>
-#include <cmath>
 #include <set>
 #include <stdexcept>
 #include <utility>
 
 #include "map_matcher/ros/conversions.hpp"
 #include "map_matcher/ros/detection_messages.hpp"
-#include "map_matcher/ros/scan_conversions.hpp"
 
 namespace map_matcher {
 namespace {
@@ -35,7 +32,6 @@ LidarScrubberServerOptions checked(LidarScrubberServerOptions options) {
                                 ", expected at least ~silence_warning = " + std::to_string(options.silence_warning) +
                                 " s");
   }
-  options.fixed_frame = frameName(options.fixed_frame);
   return options;
 }
 
@@ -44,12 +40,11 @@ LidarScrubberServerOptions checked(LidarScrubberServerOptions options) {
 LidarScrubberServer::LidarScrubberServer(ros::NodeHandle node, const ros::NodeHandle& private_node,
                                          const LidarScrubberServerOptions& options)
     : options_(checked(options)),
-      cache_(options_.scrubbing.cache),
       waiting_scans_(ros::WallDuration(options_.sync_timeout)),
       detectors_(options_.detection_topics, options_.silence_warning, options_.silence_error,
                  options_.scrubbing.cache.cache_duration),
       tf_listener_(tf_, node),
-      poses_(tf_, options_.fixed_frame),
+      removal_(tf_, options_.fixed_frame, options_.scrubbing),
       veto_(node, tf_, options_.wall_veto_distance),
       display_(node),
       diagnostics_(node, private_node, record_, detectors_),
@@ -74,16 +69,7 @@ void LidarScrubberServer::onScan(const sensor_msgs::LaserScanConstPtr& scan) {
   }
   ++record_.scans;
   record_.last_scan = now;
-  try {
-    checkLayout(*scan);
-    noticeJumps(*scan);
-  } catch (const MessageError& error) {
-    ++record_.dropped;
-    record_.last_problem = error.what();
-    ROS_WARN_STREAM_THROTTLE(kWarningPeriod, "scan dropped (" << record_.dropped << " so far): " << error.what());
-    return;
-  }
-  if (isWithheld(now)) {
+  if (!isUsable(*scan, now) || isWithheld(now)) {
     return;
   }
   if (options_.mode == "synchronised") {
@@ -94,10 +80,18 @@ void LidarScrubberServer::onScan(const sensor_msgs::LaserScanConstPtr& scan) {
   }
 }
 
-void LidarScrubberServer::releaseWaiting() {
-  for (const WaitingScans::Released& released : waiting_scans_.release(ros::SteadyTime::now())) {
-    record_.timed_out += released.answered ? 0 : 1;
-    scrub(released.scan);
+bool LidarScrubberServer::isUsable(const sensor_msgs::LaserScan& scan, const ros::Time& now) {
+  try {
+    if (const auto jump = removal_.onScan(scan)) {
+      ROS_WARN_STREAM(*jump << ": the detections so far are forgotten");
+      detectors_.restart(now);
+    }
+    return true;
+  } catch (const MessageError& error) {
+    ++record_.dropped;
+    record_.last_problem = error.what();
+    ROS_WARN_STREAM_THROTTLE(kWarningPeriod, "scan dropped (" << record_.dropped << " so far): " << error.what());
+    return false;
   }
 }
 
@@ -116,33 +110,18 @@ bool LidarScrubberServer::isWithheld(const ros::Time& now) {
   return true;
 }
 
-/// Detections of another time or another laser say nothing about this scan.
-void LidarScrubberServer::noticeJumps(const sensor_msgs::LaserScan& scan) {
-  const std::string frame = frameOf(scan.header);
-  const Stamp stamp = stampOf(scan.header.stamp);
-  const bool went_back = seconds(scan_stamp_ - stamp) > options_.scrubbing.cache.cache_duration;
-  if (!scan_frame_.empty() && (went_back || frame != scan_frame_)) {
-    ROS_WARN_STREAM((went_back ? "the stamps of the scans went back"
-                               : "the frame of the scans is now " + frame + " instead of " + scan_frame_)
-                    << ": the detections so far are forgotten");
-    cache_.clear();
-    detectors_.restart(ros::Time::now());
+void LidarScrubberServer::releaseWaiting() {
+  for (const WaitingScans::Released& released : waiting_scans_.release(ros::SteadyTime::now())) {
+    record_.timed_out += released.answered ? 0 : 1;
+    scrub(released.scan);
   }
-  scan_frame_ = frame;
-  scan_stamp_ = went_back ? stamp : std::max(stamp, scan_stamp_);
 }
 
 void LidarScrubberServer::onDetections(DetectionSet set) {
-  DetectorRecord& record = detectors_.record(set.source);
   const ros::Time now = ros::Time::now();
-  if (!record_.last_scan.isZero()) {
-    record.last_delay = seconds(scan_stamp_ - set.stamp);
-    const double newest = (now - record_.last_scan).toSec() + kMaxFuture;  // [s] after the last scan
-    if (-record.last_delay > newest) {
-      onBadDetections(set.source, "the stamp is " + std::to_string(-record.last_delay) +
-                                      " s after the newest scan's, expected at most " + std::to_string(newest) + " s");
-      return;
-    }
+  DetectorRecord& record = detectors_.record(set.source);
+  if (isFromTheFuture(record, set, now)) {
+    return;
   }
   ++record.messages;
   record.last_heard = now;
@@ -157,74 +136,67 @@ void LidarScrubberServer::onDetections(DetectionSet set) {
   record.on_walls += veto_.apply(set);
   record.detections += static_cast<std::int64_t>(set.detections.size());
   waiting_scans_.onDetections(set.frame, set.stamp);
-  cache_.add(std::move(set));
+  removal_.add(std::move(set));
   releaseWaiting();
+}
+
+bool LidarScrubberServer::isFromTheFuture(DetectorRecord& record, const DetectionSet& set, const ros::Time& now) {
+  if (record_.last_scan.isZero()) {
+    return false;
+  }
+  record.last_delay = seconds(removal_.newestScan() - set.stamp);
+  const double latest = (now - record_.last_scan).toSec() + kMaxFuture;  // [s] after the newest scan
+  if (-record.last_delay <= latest) {
+    return false;
+  }
+  onBadDetections(set.source, "a stamp lies " + std::to_string(-record.last_delay) +
+                                  " s after the newest scan's, expected at most " + std::to_string(latest) + " s");
+  return true;
 }
 
 void LidarScrubberServer::onBadDetections(const std::string& topic, const std::string& reason) {
   DetectorRecord& record = detectors_.record(topic);
   ++record.bad_messages;
-  if (reason != record.last_problem) {
-    ROS_ERROR_STREAM(topic << ": detections dropped: " << reason);
-  }
   record.last_problem = reason;
+  ROS_ERROR_STREAM_THROTTLE(
+      kWarningPeriod, topic << ": detections dropped (" << record.bad_messages << " messages so far): " << reason);
 }
 
 void LidarScrubberServer::scrub(const sensor_msgs::LaserScanConstPtr& scan) {
-  const std::string frame = frameOf(scan->header);
-  const Stamp stamp = stampOf(scan->header.stamp);
-  const ScanLayout layout = layoutOf(*scan);
-  const std::vector<Disc>& discs = discsFor({frame, stamp});
-  cache_.forget(stamp);
-  const std::vector<std::uint32_t>& beams = scrubber_.beamsInside(layout, scan->ranges, discs);
-  const double most = options_.scrubbing.max_removed_fraction * scrubber_.numPoints();
-  record_.last_removed = 0;
-  if (static_cast<double>(beams.size()) > most) {
+  const PeopleRemoval::PathCounts paths_before = removal_.paths();
+  const ScrubbedScan scrubbed = removal_.scrub(scan);
+  scan_publisher_.publish(scrubbed.scan);
+  display_.show(scan->header, removal_.scrubber(), scrubbed.removed, removal_.discs());
+  record_.last_removed = scrubbed.removed.size();
+  record_.removed_beams += static_cast<std::int64_t>(scrubbed.removed.size());
+  record_.paths = removal_.paths();
+  tellOfPaths(paths_before);
+  if (scrubbed.tooMany()) {
     ++record_.too_much;
-    ROS_WARN_STREAM_THROTTLE(
-        kWarningPeriod, "scan passed as it is ("
-                            << record_.too_much << " so far): " << beams.size() << " of " << scrubber_.numPoints()
-                            << " points are near people, expected at most " << options_.scrubbing.max_removed_fraction
-                            << " of them (max_removed_fraction)");
-    scan_publisher_.publish(scan);
-    return;
+    ROS_WARN_STREAM_THROTTLE(kWarningPeriod, "scan passed as it is ("
+                                                 << record_.too_much << " so far): " << scrubbed.near_people << " of "
+                                                 << scrubbed.points << " points are near people, expected at most "
+                                                 << options_.scrubbing.max_removed_fraction
+                                                 << " of them (max_removed_fraction)");
   }
-  publishWithout(scan, layout, beams);
-  display_.show(scan->header, scrubber_, beams, discs);
 }
 
-const std::vector<Disc>& LidarScrubberServer::discsFor(const FrameAt& scan) {
-  return cache_.discsAt(scan.stamp, [&](const DetectionSet& set) {
-    const DetectionPose pose = poses_.lookUp({set.frame, set.stamp}, scan);
-    ++record_.paths[static_cast<std::size_t>(pose.path)];
-    if (pose.path == PosePath::kNone) {
-      ROS_WARN_STREAM_THROTTLE(kWarningPeriod, set.source << ": detections in frame " << set.frame
-                                                          << " are not used, since tf does not connect it with "
-                                                          << scan.frame << ", the frame of the scans");
-    } else if (pose.path == PosePath::kSensorFrame && !options_.fixed_frame.empty()) {
-      ROS_WARN_STREAM_THROTTLE(kWarningPeriod, "tf does not know "
-                                                   << scan.frame << " in " << options_.fixed_frame
-                                                   << " at the scan's stamp: detections are used as if the robot stood "
-                                                      "still");
-    }
-    return pose.T_scan_set;
-  });
-}
-
-void LidarScrubberServer::publishWithout(const sensor_msgs::LaserScanConstPtr& scan, const ScanLayout& layout,
-                                         const std::vector<std::uint32_t>& beams) {
-  if (beams.empty()) {
-    scan_publisher_.publish(scan);
-    return;
+void LidarScrubberServer::tellOfPaths(const PeopleRemoval::PathCounts& before) const {
+  const auto taken = [&](PosePath path) {
+    const auto index = static_cast<std::size_t>(path);
+    return removal_.paths()[index] > before[index];
+  };
+  if (taken(PosePath::kNone)) {
+    ROS_WARN_STREAM_THROTTLE(kWarningPeriod, "detections in frame " << removal_.unknownFrame()
+                                                                    << " are not used, since tf does not connect it "
+                                                                       "with the frame of the scans");
   }
-  const auto scrubbed = boost::make_shared<sensor_msgs::LaserScan>(*scan);
-  const float range = removedRange(options_.scrubbing.removed_range, layout);
-  for (const std::uint32_t beam : beams) {
-    scrubbed->ranges[beam] = range;
+  if (taken(PosePath::kSensorFrame) && !options_.fixed_frame.empty()) {
+    ROS_WARN_STREAM_THROTTLE(kWarningPeriod, "tf does not know the laser in " << options_.fixed_frame
+                                                                              << " at the stamps of the scans: "
+                                                                                 "detections are used as if the robot "
+                                                                                 "stood still");
   }
-  record_.last_removed = beams.size();
-  record_.removed_beams += static_cast<std::int64_t>(beams.size());
-  scan_publisher_.publish(sensor_msgs::LaserScanConstPtr(scrubbed));
 }
 
 }  // namespace map_matcher

@@ -10,7 +10,7 @@
 
 namespace map_matcher {
 
-ReferenceVeto::ReferenceVeto(ros::NodeHandle node, const tf2_ros::Buffer& tf, double distance)
+ReferenceVeto::ReferenceVeto(ros::NodeHandle node, const tf2::BufferCore& tf, double distance)
     : tf_(tf), distance_(distance) {
   if (distance > 0.0) {
     subscriber_ = node.subscribe<nav_msgs::OccupancyGrid>(

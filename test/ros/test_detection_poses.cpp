@@ -25,7 +25,6 @@ geometry_msgs::TransformStamped stampedTransform(const std::string& parent, cons
 class Poses : public testing::Test {
  protected:
   Poses() {
-    tf.setUsingDedicatedThread(true);
     tf.setTransform(stampedTransform("base", "laser", Stamp(0), 0.2, 0.0), "test", true);
     tf.setTransform(stampedTransform("base", "rear_laser", Stamp(0), -0.2, M_PI), "test", true);
   }
@@ -38,7 +37,7 @@ class Poses : public testing::Test {
 
   const std::string laser = "laser";
   const std::string rear_laser = "rear_laser";
-  tf2_ros::Buffer tf;
+  tf2::BufferCore tf;
   DetectionPoses poses{tf, "odom"};
 };
 

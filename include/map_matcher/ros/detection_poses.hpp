@@ -2,7 +2,7 @@
 /// Where the frame of a detection lies as a later scan sees it.
 #pragma once
 
-#include <tf2_ros/buffer.h>
+#include <tf2/buffer_core.h>
 
 #include <Eigen/Geometry>
 #include <optional>
@@ -39,7 +39,7 @@ struct DetectionPose {
 class DetectionPoses {
  public:
   /// `tf` must outlive this. `fixed_frame` does not move while the robot does (odom); empty: kSensorFrame at best.
-  DetectionPoses(const tf2_ros::Buffer& tf, std::string fixed_frame);
+  DetectionPoses(const tf2::BufferCore& tf, std::string fixed_frame);
 
   /// Of the frame and stamp of a set of detections, in the frame of a scan at its stamp.
   DetectionPose lookUp(const FrameAt& set, const FrameAt& scan) const;
@@ -49,7 +49,7 @@ class DetectionPoses {
   std::optional<Stamp> newestStamp(const std::string& scan_frame) const;
   std::optional<Eigen::Isometry3d> asIfStandingStill(const std::string& set_frame, const std::string& scan_frame) const;
 
-  const tf2_ros::Buffer& tf_;
+  const tf2::BufferCore& tf_;
   std::string fixed_frame_;
 };
 

@@ -11,16 +11,14 @@
 #include <string>
 #include <vector>
 
-#include "map_matcher/ros/detection_poses.hpp"
 #include "map_matcher/ros/detection_subscriber.hpp"
 #include "map_matcher/ros/detector_watch.hpp"
 #include "map_matcher/ros/lidar_scrubber_server_options.hpp"
+#include "map_matcher/ros/people_removal.hpp"
 #include "map_matcher/ros/reference_veto.hpp"
 #include "map_matcher/ros/removal_display.hpp"
 #include "map_matcher/ros/scrubber_diagnostics.hpp"
 #include "map_matcher/ros/waiting_scans.hpp"
-#include "map_matcher/scrubbing/detection_cache.hpp"
-#include "map_matcher/scrubbing/scan_scrubber.hpp"
 
 namespace map_matcher {
 
@@ -40,25 +38,20 @@ class LidarScrubberServer {
   void onBadDetections(const std::string& topic, const std::string& reason);
   void releaseWaiting();
 
+  bool isUsable(const sensor_msgs::LaserScan& scan, const ros::Time& now);
   bool isWithheld(const ros::Time& now);
-  void noticeJumps(const sensor_msgs::LaserScan& scan);
+  bool isFromTheFuture(DetectorRecord& record, const DetectionSet& set, const ros::Time& now);
   void scrub(const sensor_msgs::LaserScanConstPtr& scan);
-  const std::vector<Disc>& discsFor(const FrameAt& scan);
-  void publishWithout(const sensor_msgs::LaserScanConstPtr& scan, const ScanLayout& layout,
-                      const std::vector<std::uint32_t>& beams);
+  void tellOfPaths(const PeopleRemoval::PathCounts& before) const;
 
   const LidarScrubberServerOptions options_;
-  DetectionCache cache_;
-  ScanScrubber scrubber_;
   WaitingScans waiting_scans_;
   DetectorWatch detectors_;
   ScanRecord record_;
-  std::string scan_frame_;  // of the last scan
-  Stamp scan_stamp_{0};
 
   tf2_ros::Buffer tf_;
   tf2_ros::TransformListener tf_listener_;
-  DetectionPoses poses_;
+  PeopleRemoval removal_;
   ReferenceVeto veto_;
   RemovalDisplay display_;
   ScrubberDiagnostics diagnostics_;

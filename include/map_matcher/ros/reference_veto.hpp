@@ -4,7 +4,7 @@
 
 #include <nav_msgs/OccupancyGrid.h>
 #include <ros/node_handle.h>
-#include <tf2_ros/buffer.h>
+#include <tf2/buffer_core.h>
 
 #include <optional>
 #include <string>
@@ -19,7 +19,7 @@ class ReferenceVeto {
  public:
   /// `distance` [m] from a wall within which nobody stands; 0: nothing is taken out, nothing is subscribed. `tf` must
   /// outlive this.
-  ReferenceVeto(ros::NodeHandle node, const tf2_ros::Buffer& tf, double distance);
+  ReferenceVeto(ros::NodeHandle node, const tf2::BufferCore& tf, double distance);
 
   /// Takes the detections on walls out of the set and returns how many those were; 0 as long as there is no map, or tf
   /// does not know where the detector is in it.
@@ -28,7 +28,7 @@ class ReferenceVeto {
  private:
   void onMap(const nav_msgs::OccupancyGrid& message);
 
-  const tf2_ros::Buffer& tf_;
+  const tf2::BufferCore& tf_;
   double distance_;
   std::string reference_frame_;
   std::optional<WallVeto> veto_;

@@ -5,13 +5,12 @@
 #include <diagnostic_updater/diagnostic_updater.h>
 #include <ros/node_handle.h>
 
-#include <array>
 #include <cstdint>
 #include <map>
 #include <string>
 
-#include "map_matcher/ros/detection_poses.hpp"
 #include "map_matcher/ros/detector_watch.hpp"
+#include "map_matcher/ros/people_removal.hpp"
 
 namespace map_matcher {
 
@@ -27,7 +26,7 @@ struct ScanRecord {
   std::size_t last_removed = 0;    ///< Beams removed from the last scan.
   std::string last_problem;        ///< Why the last dropped scan was.
   /// Sets of detections that were used, or could not be (kNone), by the way they came into the scan's frame.
-  std::array<std::int64_t, 4> paths{};
+  PeopleRemoval::PathCounts paths{};
 };
 
 /// Once a second, by the wall clock, tells of scans, of what was removed, and of each detector.

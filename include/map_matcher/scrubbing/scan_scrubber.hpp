@@ -26,6 +26,8 @@ class ScanScrubber {
   const std::vector<std::uint32_t>& beamsInside(const ScanLayout& layout, const std::vector<float>& ranges,
                                                 const std::vector<Disc>& discs);
 
+  const ScanLayout& layout() const { return layout_; }  ///< Of the last scan.
+
   /// Number of points that the last scan measured.
   int numPoints() const { return num_points_; }
 
