@@ -8,7 +8,6 @@
 
 #include "map_matcher/ros/conversions.hpp"
 #include "map_matcher/ros/detection_messages.hpp"
-#include "map_matcher/ros/people_removal.hpp"
 #include "map_matcher/ros/waiting_scans.hpp"
 
 namespace map_matcher {
@@ -75,6 +74,7 @@ class BagScrubbing {
       release(message.getTime());
     }
     release(ros::TIME_MAX);
+    result_.paths = removal_.paths();
     return result_;
   }
 

@@ -35,7 +35,7 @@ const char* toString(PosePath path) {
     case PosePath::kNone:
       break;
   }
-  return "none";
+  return "not at all";
 }
 
 DetectionPoses::DetectionPoses(const tf2::BufferCore& tf, std::string fixed_frame)

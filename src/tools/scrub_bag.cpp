@@ -35,7 +35,13 @@ void printSummary(const BagScrubbingRequest& request, const BagScrubbingResult& 
             << result.scans_too_much << " left as they were since too much would have gone, " << result.scans_dropped
             << " dropped, " << result.scans_timed_out << " waited in vain\n"
             << "detections used        " << result.detections << '\n'
-            << "points removed         " << share(result.removed, result.points) << '\n';
+            << "placed                 ";
+  for (const map_matcher::PosePath path : {map_matcher::PosePath::kFixedFrame, map_matcher::PosePath::kNewest,
+                                           map_matcher::PosePath::kSensorFrame, map_matcher::PosePath::kNone}) {
+    std::cout << (path == map_matcher::PosePath::kFixedFrame ? "" : ", ")
+              << result.paths[static_cast<std::size_t>(path)] << ' ' << toString(path);
+  }
+  std::cout << "\npoints removed         " << share(result.removed, result.points) << '\n';
   if (!request.people_topic.empty()) {
     const map_matcher::PeopleCount& people = result.people;
     std::cout << "scans with people      " << people.scans << ", " << people.people << " people\n"

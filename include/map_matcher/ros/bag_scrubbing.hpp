@@ -7,6 +7,7 @@
 
 #include "map_matcher/ros/bag_reading.hpp"
 #include "map_matcher/ros/lidar_scrubber_server_options.hpp"
+#include "map_matcher/ros/people_removal.hpp"
 
 namespace map_matcher {
 
@@ -33,15 +34,16 @@ struct PeopleCount {
 /// What scrubbing a bag gave.
 struct BagScrubbingResult {
   std::string scan_topic;
-  int scans = 0;                ///< Scans in the bag.
-  int scans_dropped = 0;        ///< Scans that made no sense.
-  int scans_changed = 0;        ///< Scans from which something was removed.
-  int scans_too_much = 0;       ///< Scans left as they were, since max_removed_fraction was exceeded.
-  int scans_timed_out = 0;      ///< Scans that waited in vain (mode: synchronised).
-  std::int64_t detections = 0;  ///< Detections within the limits.
-  std::int64_t points = 0;      ///< Points of all scans.
-  std::int64_t removed = 0;     ///< Those of them that were removed.
-  std::string last_problem;     ///< The latest reason why a message could not be used; empty: none.
+  int scans = 0;                      ///< Scans in the bag.
+  int scans_dropped = 0;              ///< Scans that made no sense.
+  int scans_changed = 0;              ///< Scans from which something was removed.
+  int scans_too_much = 0;             ///< Scans left as they were, since max_removed_fraction was exceeded.
+  int scans_timed_out = 0;            ///< Scans that waited in vain (mode: synchronised).
+  std::int64_t detections = 0;        ///< Detections within the limits.
+  std::int64_t points = 0;            ///< Points of all scans.
+  std::int64_t removed = 0;           ///< Those of them that were removed.
+  PeopleRemoval::PathCounts paths{};  ///< Sets of detections by how they came into the frame of a scan.
+  std::string last_problem;           ///< The latest reason why a message could not be used; empty: none.
   PeopleCount people;
 };
 
