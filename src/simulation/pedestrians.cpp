@@ -10,13 +10,17 @@ namespace map_matcher {
 namespace {
 
 constexpr double kPlanningMargin = 0.02;  // [m] that planned ways keep beyond the body
-constexpr std::size_t kGoals = 32;        // places that people walk to
+constexpr std::size_t kGoals = 96;        // places that people walk to
+constexpr double kErrand = 7.0;           // [m] to the next goal, at most, where there is one
+constexpr int kGoalTrials = 20;           // goals that are looked at for one that is so near
+constexpr double kWidestLane = 0.6;       // [m] that people keep to the right of the planned way, at most
 constexpr double kArrived = 0.8;          // [m] from a goal
 constexpr double kWayAhead = 2.0;         // [m] of the planned way that are looked at
 constexpr double kSight = 2.5;            // [m] others farther away are not minded
 constexpr double kRelaxation = 0.3;       // [s] in which a velocity comes near the wanted one
 constexpr double kHeldUpShare = 0.3;      // of their speed: who is slower is held up
-constexpr double kPatience = 4.0;         // [s] before who is held up goes somewhere else
+constexpr double kPatience = 2.0;         // [s] before who is held up goes somewhere else
+constexpr double kEscape = 0.7;           // [m] of a way that have to be free for somebody who is held up
 constexpr double kTurnRate = 4.0;         // [rad/s] of somebody who walks
 constexpr double kTurnSpeed = 0.1;        // [m/s] slower people do not turn
 constexpr double kRobotNear = 0.6;        // [m] from the robot: who stands there steps aside
@@ -147,13 +151,14 @@ bool Pedestrians::place(const Eigen::Vector2d& position, double heading, bool st
   const double speed = options_.speed + options_.speed_sigma * std::clamp(random_.gaussian(), -2.0, 2.0);
   const double leg_radius = options_.leg_radius * random_.uniform(1.0 - kLegVariation, 1.0 + kLegVariation);
   const double half_width = std::min(kHalfStance, radius - leg_radius);
-  const auto goal = stands ? std::nullopt : std::optional(random_.index(goals_.size()));
+  const auto goal = stands ? std::nullopt : std::optional(randomGoal(position));
   index_.insert(walkers_.size(), position);
   walkers_.push_back({{position, Eigen::Vector2d::Zero(), radius},
                       heading,
                       std::max(speed, 0.2),
                       leg_radius,
                       goal,
+                      random_.uniform(0.0, kWidestLane),
                       0.0,
                       Gait(position, heading, half_width)});
   return true;
@@ -162,6 +167,32 @@ bool Pedestrians::place(const Eigen::Vector2d& position, double heading, bool st
 Eigen::Vector2d Pedestrians::randomPlace() {
   const std::vector<Eigen::Vector2d>& places = planner_.places();
   return places[random_.index(places.size())];
+}
+
+/// One of the nearer goals: people who cross the whole building would all meet in its middle.
+std::size_t Pedestrians::randomGoal(const Eigen::Vector2d& position) {
+  std::size_t goal = random_.index(goals_.size());
+  for (int i = 0; i < kGoalTrials && (goals_[goal] - position).norm() > kErrand; ++i) {
+    goal = random_.index(goals_.size());
+  }
+  return goal;
+}
+
+/// A goal for somebody who is held up: one whose way is free at first, where there is one.
+std::size_t Pedestrians::goalWithAWayOut(std::size_t index) {
+  const Eigen::Vector2d& position = walkers_[index].body.position;
+  std::size_t goal = 0;
+  bool is_free = false;
+  for (int i = 0; i < kGoalTrials && !is_free; ++i) {
+    goal = randomGoal(position);
+    const std::vector<Eigen::Vector2d> way = waysTo(goal).ahead(position, kEscape);
+    is_free = !way.empty();
+    index_.visitNear(way.empty() ? position : way.back(), kEscape, [&](std::size_t other) {
+      const double distance = (walkers_[other].body.position - way.back()).norm();
+      is_free = is_free && (other == index || distance > 2.0 * options_.body_radius);
+    });
+  }
+  return goal;
 }
 
 const WayField& Pedestrians::waysTo(std::size_t goal) {
@@ -214,7 +245,7 @@ Eigen::Vector2d Pedestrians::walk(std::size_t index, double period, const RobotS
   walker.held_up = walker.body.velocity.norm() < kHeldUpShare * walker.speed ? walker.held_up + period : 0.0;
   const bool arrived = (goals_[*walker.goal] - walker.body.position).norm() < kArrived;
   if (arrived || walker.held_up > kPatience) {
-    walker.goal = random_.index(goals_.size());
+    walker.goal = arrived ? randomGoal(walker.body.position) : goalWithAWayOut(index);
     walker.held_up = random_.uniform(0.0, 0.5 * kPatience);  // people who block each other do not try again together
   }
   const std::vector<Eigen::Vector2d> way = waysTo(*walker.goal).ahead(walker.body.position, kWayAhead);
@@ -230,6 +261,9 @@ Eigen::Vector2d Pedestrians::walk(std::size_t index, double period, const RobotS
     }
     target = way[i];
   }
+  const Eigen::Vector2d ahead = (target - walker.body.position).normalized();
+  const Eigen::Vector2d in_lane = target + walker.lane * Eigen::Vector2d(ahead.y(), -ahead.x());
+  target = world_.isClear(in_lane, walker.body.radius) ? in_lane : target;
   return steer(world_, walker.body, target, walker.speed, moversNear(index, robot));
 }
 

@@ -49,8 +49,8 @@ struct RobotSweep {
 };
 
 /// People who walk between random places, or stand in groups, and never touch a wall, each other or the robot. Walkers
-/// go along planned ways, get past others by steer(), and choose another goal when they are held up; who stands steps
-/// aside for a robot that waits there. The same random numbers give the same crowd. Not thread-safe.
+/// go along planned ways, keep to the right, get past others by steer(), and choose another goal when they are held up;
+/// who stands steps aside for a robot that waits there. The same random numbers give the same crowd. Not thread-safe.
 class Pedestrians {
  public:
   static constexpr double kDistanceToRobot = 0.1;  ///< [m] from a body or leg to the robot, at least.
@@ -77,6 +77,7 @@ class Pedestrians {
     double speed;                     // [m/s] where nobody is in the way
     double leg_radius;                // [m]
     std::optional<std::size_t> goal;  // who has none stands
+    double lane;                      // [m] to the right of planned ways
     double held_up;                   // [s] for how long; of who stands: how long the robot has been near
     Gait gait;
   };
@@ -85,6 +86,8 @@ class Pedestrians {
   bool placeGroup(std::size_t size, const std::optional<Circle>& kept_free);
   bool place(const Eigen::Vector2d& position, double heading, bool stands, const std::optional<Circle>& kept_free);
   Eigen::Vector2d randomPlace();
+  std::size_t randomGoal(const Eigen::Vector2d& position);
+  std::size_t goalWithAWayOut(std::size_t index);
   const WayField& waysTo(std::size_t goal);
   Eigen::Vector2d wantedVelocity(std::size_t index, double period, const RobotSweep& robot);
   Eigen::Vector2d walk(std::size_t index, double period, const RobotSweep& robot);
