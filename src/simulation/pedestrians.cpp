@@ -186,8 +186,11 @@ std::size_t Pedestrians::goalWithAWayOut(std::size_t index) {
   for (int i = 0; i < kGoalTrials && !is_free; ++i) {
     goal = randomGoal(position);
     const std::vector<Eigen::Vector2d> way = waysTo(goal).ahead(position, kEscape);
-    is_free = !way.empty();
-    index_.visitNear(way.empty() ? position : way.back(), kEscape, [&](std::size_t other) {
+    if (way.empty()) {
+      continue;
+    }
+    is_free = true;
+    index_.visitNear(way.back(), kEscape, [&](std::size_t other) {
       const double distance = (walkers_[other].body.position - way.back()).norm();
       is_free = is_free && (other == index || distance > 2.0 * options_.body_radius);
     });

@@ -111,7 +111,7 @@ TEST_F(DriveBag, holdsTheScansAsTheyWereMeasured) {
   ASSERT_EQ(scans.size(), drive_.steps.size());
   bool some_returned_nothing = false;
   for (std::size_t i = 0; i < scans.size(); ++i) {
-    const LidarScan& expected = drive_.steps[i].scan;
+    const LidarScan& expected = drive_.steps[i].scans.front();
     EXPECT_EQ(scans[i].header.frame_id, "laser");
     EXPECT_EQ(scans[i].header.seq, i);
     EXPECT_EQ(scans[i].ranges, expected.ranges);
@@ -162,7 +162,7 @@ TEST_F(DriveBag, tellsTheTransformOfEveryScanBeforeTheScan) {
     }
     if (const auto scan = instance.instantiate<sensor_msgs::LaserScan>()) {
       const auto transform = buffer.lookupTransform("odom", scan->header.frame_id, scan->header.stamp);
-      const Rigid2 expected = drive_.steps[num_scans].T_odom_base * drive_.T_base_lidar;
+      const Rigid2 expected = drive_.steps[num_scans].T_odom_base * drive_.T_base_lidar.front();
       const Rigid2 T_odom_laser = fromMessage(transform.transform, "T_odom_laser");
       EXPECT_NEAR(T_odom_laser.x, expected.x, 1e-9);
       EXPECT_NEAR(T_odom_laser.y, expected.y, 1e-9);

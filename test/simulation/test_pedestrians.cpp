@@ -41,7 +41,7 @@ double smallestBodyDistance(const Pedestrians& crowd) {
   double smallest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < crowd.people().size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      smallest = std::min(smallest, (crowd.bodyOf(i) - crowd.bodyOf(j)).norm());
+      smallest = std::min(smallest, (crowd.bodyOf(i).position - crowd.bodyOf(j).position).norm());
     }
   }
   return smallest;
@@ -57,7 +57,7 @@ TEST_P(Crowds, touchNeitherWallsNorEachOther) {
   for (int i = 0; i < 450; ++i) {
     crowd.step(kPeriod, kFarAway);
     for (std::size_t k = 0; k < crowd.people().size(); ++k) {
-      ASSERT_TRUE(world().isClear(crowd.bodyOf(k), options.body_radius)) << k << " at step " << i;
+      ASSERT_TRUE(world().isClear(crowd.bodyOf(k).position, options.body_radius)) << k << " at step " << i;
       for (const Circle& leg : crowd.people()[k].legs) {
         num_legs_in_walls += world().isClear(leg.centre, leg.radius) ? 0U : 1U;
       }
@@ -104,7 +104,7 @@ TEST(Pedestrians, walkOrStandAsAskedFor) {
   Pedestrians crowd = crowdOf(options);
   std::vector<Eigen::Vector2d> start;
   for (std::size_t i = 0; i < 100; ++i) {
-    start.push_back(crowd.bodyOf(i));
+    start.push_back(crowd.bodyOf(i).position);
   }
   double farthest = 0.0;
   for (int i = 0; i < 300; ++i) {
@@ -112,7 +112,7 @@ TEST(Pedestrians, walkOrStandAsAskedFor) {
   }
   int num_standing = 0;
   for (std::size_t i = 0; i < 100; ++i) {
-    const double distance = (crowd.bodyOf(i) - start[i]).norm();
+    const double distance = (crowd.bodyOf(i).position - start[i]).norm();
     num_standing += distance == 0.0 ? 1 : 0;
     farthest = std::max(farthest, distance);
   }
@@ -129,11 +129,11 @@ TEST(Pedestrians, walkAtAboutTheirSpeedWhereThereIsRoom) {
   for (int i = 0; i < 450; ++i) {
     std::vector<Eigen::Vector2d> before;
     for (std::size_t k = 0; k < 40; ++k) {
-      before.push_back(crowd.bodyOf(k));
+      before.push_back(crowd.bodyOf(k).position);
     }
     crowd.step(kPeriod, kFarAway);
     for (std::size_t k = 0; k < 40; ++k) {
-      walked += (crowd.bodyOf(k) - before[k]).norm();
+      walked += (crowd.bodyOf(k).position - before[k]).norm();
     }
   }
   const double mean_speed = walked / 40.0 / 30.0;
@@ -148,7 +148,7 @@ TEST(Pedestrians, haveTheirPositionBetweenTheirLegs) {
     for (std::size_t k = 0; k < 30; ++k) {
       const Person& person = crowd.people()[k];
       EXPECT_TRUE(person.position.isApprox(0.5 * (person.legs[0].centre + person.legs[1].centre)));
-      EXPECT_LT((person.position - crowd.bodyOf(k)).norm(), 0.35);
+      EXPECT_LT((person.position - crowd.bodyOf(k).position).norm(), 0.35);
       EXPECT_GT(person.legs[0].radius, 0.05);
       EXPECT_LT(person.legs[0].radius, 0.08);
     }
@@ -164,7 +164,7 @@ TEST(Pedestrians, keepOffARobotThatStands) {
     crowd.step(kPeriod, robot);
     for (std::size_t k = 0; k < crowd.people().size(); ++k) {
       const double allowed = robot.radius + Pedestrians::kDistanceToRobot - 1e-9;
-      ASSERT_GE((crowd.bodyOf(k) - robot.centres.front()).norm(), allowed + options.body_radius);
+      ASSERT_GE((crowd.bodyOf(k).position - robot.centres.front()).norm(), allowed + options.body_radius);
       for (const Circle& leg : crowd.people()[k].legs) {
         ASSERT_GE((leg.centre - robot.centres.front()).norm(), allowed + leg.radius);
       }

@@ -67,8 +67,8 @@ class Pedestrians {
   /// Everybody, always in the same order.
   const std::vector<Person>& people() const { return people_; }
 
-  /// Centre of a person's body [m], which no wall, no other body and no robot touches.
-  const Eigen::Vector2d& bodyOf(std::size_t person) const { return walkers_[person].body.position; }
+  /// A person's body, which no wall, no other body and no robot touches.
+  const Mover& bodyOf(std::size_t person) const { return walkers_[person].body; }
 
  private:
   struct Walker {
