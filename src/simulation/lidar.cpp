@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "map_matcher/parameters/option_check.hpp"
+#include "map_matcher/simulation/round_obstacles.hpp"
 
 namespace map_matcher {
 
@@ -24,29 +25,35 @@ Lidar::Lidar(const LidarOptions& options, const RandomNumbers& noise) : options_
   throwIfAny(problemsOf(parametersOf(options_)));
 }
 
-LidarScan Lidar::scan(const World& world, const Rigid2& T_map_base) {
-  LidarScan scan;
-  scan.angle_min = -0.5 * options_.field_of_view;
-  scan.angle_increment = options_.field_of_view / (options_.beams - 1);
-  scan.range_min = options_.range_min;
-  scan.range_max = options_.range_max;
-  scan.ranges.reserve(static_cast<std::size_t>(options_.beams));
+LidarScan Lidar::scan(const World& world, const Rigid2& T_map_base) { return scanAmong({}, world, T_map_base).scan; }
 
+LidarView Lidar::scanAmong(const std::vector<Circle>& circles, const World& world, const Rigid2& T_map_base) {
+  const double angle_min = -0.5 * options_.field_of_view;
+  const double angle_increment = options_.field_of_view / (options_.beams - 1);
   const Rigid2 T_map_lidar = T_map_base * options_.T_base_lidar;
   // Noise may bring a surface beyond the range back into it: rays look a little farther.
   const double reach = options_.range_max + 6.0 * options_.sigma;
+  std::vector<double> walls;
+  walls.reserve(static_cast<std::size_t>(options_.beams));
   for (int i = 0; i < options_.beams; ++i) {
-    const double heading = T_map_lidar.yaw + scan.angle_min + i * scan.angle_increment;
-    scan.ranges.push_back(measure(world.castRay(T_map_lidar.translation(), heading, reach)));
+    walls.push_back(world.castRay(T_map_lidar.translation(), T_map_lidar.yaw + angle_min + i * angle_increment, reach));
   }
-  return scan;
-}
+  const RaysOnCircles nearest = castOnCircles(circles, T_map_lidar, {angle_min, angle_increment, reach}, walls);
 
-float Lidar::measure(double distance) {
-  // Drawn for every ray, so that one ray's return does not change the noise of the others.
-  const double range = distance + options_.sigma * noise_.gaussian();
-  const bool returned = range >= options_.range_min && range <= options_.range_max;
-  return returned ? static_cast<float>(range) : std::numeric_limits<float>::infinity();
+  LidarView view;
+  view.scan = {angle_min, angle_increment, options_.range_min, options_.range_max, {}};
+  view.scan.ranges.reserve(walls.size());
+  view.rays_on.assign(circles.size(), 0);
+  for (std::size_t i = 0; i < walls.size(); ++i) {
+    // Drawn for every ray, so that one ray's return does not change the noise of the others.
+    const double range = nearest.distances[i] + options_.sigma * noise_.gaussian();
+    const bool returned = range >= options_.range_min && range <= options_.range_max;
+    view.scan.ranges.push_back(returned ? static_cast<float>(range) : std::numeric_limits<float>::infinity());
+    if (returned && nearest.circles[i]) {
+      ++view.rays_on[*nearest.circles[i]];
+    }
+  }
+  return view;
 }
 
 }  // namespace map_matcher

@@ -7,22 +7,23 @@
 namespace map_matcher {
 namespace {
 
-constexpr double kLookahead = 0.6;       // [m] to the points that are pursued in a straight line, at most
-constexpr double kReach = 0.1;           // [m] the end of the path counts as reached from here
-constexpr double kTurnInPlace = 0.6;     // [rad] with a larger heading error the robot turns where it stands
-constexpr double kBraking = 0.7;         // share of the acceleration that braking is planned with
-constexpr double kCreepSpeed = 0.05;     // [m/s] where there is no room to brake from more
-constexpr double kCreepWay = 0.02;       // [m] that must be clear to creep
-constexpr double kCreepMargin = 0.002;   // [m] beyond the robot's radius
-constexpr double kLineMargin = 0.04;     // [m] that such a line keeps beyond the robot's radius
-constexpr double kOnPath = 0.02;         // [m] nearer to the path is on it
-constexpr double kClearanceStep = 0.04;  // [m] between the points at which a line is tested
+constexpr double kLookahead = 0.6;        // [m] to the points that are pursued in a straight line, at most
+constexpr double kDetourLookahead = 1.5;  // [m] to the points that are made for among people, at most
+constexpr double kReach = 0.1;            // [m] the end of the path counts as reached from here
+constexpr double kTurnInPlace = 0.6;      // [rad] with a larger heading error the robot turns where it stands
+constexpr double kBraking = 0.7;          // share of the acceleration that braking is planned with
+constexpr double kCreepSpeed = 0.05;      // [m/s] where there is no room to brake from more
+constexpr double kCreepWay = 0.02;        // [m] that must be clear to creep
+constexpr double kCreepMargin = 0.002;    // [m] beyond the robot's radius
+constexpr double kLineMargin = 0.04;      // [m] that such a line keeps beyond the robot's radius
+constexpr double kOnPath = 0.02;          // [m] nearer to the path is on it
+constexpr double kClearanceStep = 0.04;   // [m] between the points at which a line is tested
 
 }  // namespace
 
 PathFollower::PathFollower(const World& world, Path path) : world_(world), path_(std::move(path)) {}
 
-Velocity PathFollower::command(const DifferentialDrive& robot, double period) {
+Velocity PathFollower::command(const DifferentialDrive& robot, double period, const std::vector<Mover>& others) {
   const RobotOptions& limits = robot.options();
   const Rigid2& pose = robot.T_map_base();
   advance(pose.translation());
@@ -31,7 +32,8 @@ Velocity PathFollower::command(const DifferentialDrive& robot, double period) {
   if (arrived_) {
     return {};
   }
-  const Eigen::Vector2d target = pose.inverse() * pointToPursue(robot);
+  const Eigen::Vector2d target =
+      pose.inverse() * (others.empty() ? pointToPursue(robot, kLookahead) : detour(robot, others));
   const double error = std::atan2(target.y(), target.x());
   const double braking_turn = std::sqrt(2.0 * kBraking * limits.max_turn_acceleration * std::abs(error));
   if (std::abs(error) > kTurnInPlace) {
@@ -59,16 +61,29 @@ void PathFollower::advance(const Eigen::Vector2d& position) {
 
 /// The farthest point within the lookahead that can be driven to in a straight line. When there is none the robot has
 /// drifted off between obstacles and goes back to the path.
-Eigen::Vector2d PathFollower::pointToPursue(const DifferentialDrive& robot) const {
+Eigen::Vector2d PathFollower::pointToPursue(const DifferentialDrive& robot, double lookahead) const {
   const Eigen::Vector2d position = robot.T_map_base().translation();
   std::optional<Eigen::Vector2d> farthest;
-  for (std::size_t i = nearest_ + 1; i < path_.size() && (path_[i] - position).norm() <= kLookahead; ++i) {
+  for (std::size_t i = nearest_ + 1; i < path_.size() && (path_[i] - position).norm() <= lookahead; ++i) {
     if (isClear(position, path_[i], robot.options().radius + kLineMargin)) {
       farthest = path_[i];
     }
   }
   const bool is_on_path = (path_[nearest_] - position).norm() < kOnPath;
   return farthest ? *farthest : path_[is_on_path ? std::min(nearest_ + 1, path_.size() - 1) : nearest_];
+}
+
+/// A point in the direction in which the robot gets past others.
+Eigen::Vector2d PathFollower::detour(const DifferentialDrive& robot, const std::vector<Mover>& others) const {
+  const RobotOptions& limits = robot.options();
+  const Rigid2& pose = robot.T_map_base();
+  const Eigen::Vector2d position = pose.translation();
+  const Eigen::Vector2d target = pointToPursue(robot, kDetourLookahead);
+  const Eigen::Vector2d velocity = robot.velocity().linear * Eigen::Vector2d(std::cos(pose.yaw), std::sin(pose.yaw));
+  const Eigen::Vector2d wanted =
+      steer(world_, {position, velocity, limits.radius + kLineMargin}, target, limits.max_speed, others);
+  const bool is_blocked = wanted.norm() < kCreepSpeed;
+  return is_blocked ? target : position + wanted.normalized() * kLookahead;
 }
 
 bool PathFollower::isClear(const Eigen::Vector2d& from, const Eigen::Vector2d& to, double radius) const {

@@ -19,7 +19,6 @@ constexpr double kCellSize = 0.1;    // [m] of the planning grid, unless the map
 constexpr double kComfort = 0.5;     // [m] more clearance than required is not worth a detour
 constexpr float kDiscomfort = 4.0F;  // price of a way at the required clearance, above 1 for a comfortable one
 constexpr int kNearestCells = 2;     // [cells] how far a point's nearest cell to stand in may be
-constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
 constexpr std::array<Cell, 8> kNeighbours{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
 
@@ -118,33 +117,64 @@ std::optional<Path> PathPlanner::plan(const Eigen::Vector2d& start, const Eigen:
   if (!first || !last) {
     return std::nullopt;
   }
-  const std::vector<std::size_t> cells = search(*first, *last);
-  if (cells.empty()) {
+  const std::vector<std::uint32_t> came_from = explore(*first, *last);
+  if (came_from[indexOf(*last)] == WayField::kNone) {
     return std::nullopt;
   }
-  Path path{start};
-  for (const std::size_t index : cells) {
+  Path path{goal};
+  for (std::size_t index = indexOf(*last); index != indexOf(*first); index = came_from[index]) {
     path.push_back(geometry_.cellCentre(cellOf(index)));
   }
-  path.push_back(goal);
+  path.push_back(geometry_.cellCentre(*first));
+  path.push_back(start);
+  std::reverse(path.begin(), path.end());
   return path;
 }
 
-/// A* from the start to the goal; the indices of the cells on the cheapest way, none when there is no way.
-std::vector<std::size_t> PathPlanner::search(const Cell& start, const Cell& goal) const {
+WayField PathPlanner::waysTo(const Eigen::Vector2d& goal) const {
+  const std::optional<Cell> last = world_.isClear(goal, required_clearance_) ? freeCellNear(goal) : std::nullopt;
+  if (!last) {
+    return WayField(geometry_, std::vector<std::uint32_t>(costs_.size(), WayField::kNone));
+  }
+  // A way costs the same in both directions.
+  return WayField(geometry_, explore(*last, std::nullopt));
+}
+
+double PathPlanner::coveredArea() const {
+  std::vector<bool> covered(costs_.size(), false);
+  const auto reach = static_cast<int>(std::ceil(required_clearance_ / geometry_.resolution));
+  for (const Eigen::Vector2d& place : places_) {
+    const Cell centre = geometry_.cellAt(place);
+    for (int y = -reach; y <= reach; ++y) {
+      for (int x = -reach; x <= reach; ++x) {
+        const Cell cell{centre.x + x, centre.y + y};
+        if (geometry_.contains(cell) && std::hypot(x, y) * geometry_.resolution <= required_clearance_) {
+          covered[indexOf(cell)] = true;
+        }
+      }
+    }
+  }
+  const auto num_covered = static_cast<double>(std::count(covered.begin(), covered.end(), true));
+  return num_covered * geometry_.resolution * geometry_.resolution;
+}
+
+/// A* from the start to the goal, or without a goal Dijkstra's search of all that can be reached. For each cell whose
+/// way was found the index of the cell before it, for the start its own, for all others WayField::kNone.
+std::vector<std::uint32_t> PathPlanner::explore(const Cell& start, const std::optional<Cell>& goal) const {
   std::vector<float> spent(costs_.size(), std::numeric_limits<float>::infinity());
-  std::vector<std::size_t> came_from(costs_.size(), kNone);
+  std::vector<std::uint32_t> came_from(costs_.size(), WayField::kNone);
   using Entry = std::pair<float, std::size_t>;  // cost through the cell to the goal at best, index of the cell
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
-  const std::size_t goal_index = indexOf(goal);
+  const auto to_go = [&](const Cell& cell) { return goal ? octileDistance(cell, *goal) : 0.0F; };
   spent[indexOf(start)] = 0.0F;
-  open.emplace(octileDistance(start, goal), indexOf(start));
+  came_from[indexOf(start)] = static_cast<std::uint32_t>(indexOf(start));
+  open.emplace(to_go(start), indexOf(start));
 
-  while (!open.empty() && open.top().second != goal_index) {
+  while (!open.empty() && !(goal && open.top().second == indexOf(*goal))) {
     const auto [estimate, index] = open.top();
     open.pop();
     const Cell cell = cellOf(index);
-    if (estimate > spent[index] + octileDistance(cell, goal)) {
+    if (estimate > spent[index] + to_go(cell)) {
       continue;  // a cheaper way to this cell was found after the entry was made
     }
     for (const Cell& step : kNeighbours) {
@@ -158,20 +188,12 @@ std::vector<std::size_t> PathPlanner::search(const Cell& start, const Cell& goal
       const float cost = spent[index] + length * 0.5F * (costs_[index] + costs_[next_index]);
       if (cost < spent[next_index]) {
         spent[next_index] = cost;
-        came_from[next_index] = index;
-        open.emplace(cost + octileDistance(next, goal), next_index);
+        came_from[next_index] = static_cast<std::uint32_t>(index);
+        open.emplace(cost + to_go(next), next_index);
       }
     }
   }
-  if (open.empty()) {
-    return {};
-  }
-  std::vector<std::size_t> cells;
-  for (std::size_t index = goal_index; index != kNone; index = came_from[index]) {
-    cells.push_back(index);
-  }
-  std::reverse(cells.begin(), cells.end());
-  return cells;
+  return came_from;
 }
 
 }  // namespace map_matcher

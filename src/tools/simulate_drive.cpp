@@ -1,7 +1,7 @@
 // Drives a simulated robot through a map and writes what it measured into a bag.
 
 #include <CLI/CLI.hpp>
-#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <iostream>
 #include <stdexcept>
@@ -16,14 +16,16 @@
 
 namespace {
 
-using map_matcher::Drive;
 using map_matcher::DriveOptions;
+using map_matcher::DriveSimulation;
+using map_matcher::DriveStep;
 using map_matcher::OccupancyGrid;
 
 struct Arguments {
   std::string map;
   std::uint64_t building_seed = 1;
   std::string bag;
+  std::string robot = "pioneer";
   std::vector<double> start;
   std::vector<double> waypoints;
   DriveOptions drive;
@@ -36,6 +38,12 @@ void describe(CLI::App& app, Arguments& arguments) {
       ->excludes(map);
   app.add_option("--bag", arguments.bag, "Bag to write")->required();
   map_matcher::tools::addSeed(app, "--seed", arguments.drive.seed, "Of the way and the noise");
+  app.add_option(
+         "--robot", arguments.robot,
+         "pioneer: one lidar, /scan; pepper: two, /sick_laser_front/scan and /sick_laser_rear/scan, and another "
+         "size and speed")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"pioneer", "pepper"}));
   app.add_option("--start", arguments.start, "Pose x y yaw in the map [m m rad]; random when not given")->expected(3);
   app.add_option("--waypoints", arguments.waypoints,
                  "Places x1 y1 x2 y2 ... in the map to visit in this order [m]; random ones when not given");
@@ -58,33 +66,84 @@ DriveOptions readOptions(const Arguments& arguments) {
   return options;
 }
 
-void printSummary(const Arguments& arguments, const Drive& drive) {
-  double length = 0.0;
-  for (std::size_t i = 1; i < drive.steps.size(); ++i) {
-    length += (drive.steps[i].T_map_base.translation() - drive.steps[i - 1].T_map_base.translation()).norm();
+/// What was driven.
+class Summary {
+ public:
+  void add(const DriveStep& step) {
+    if (num_steps_ == 0) {
+      start_ = step.T_map_base;
+      num_people_ = step.people.size();
+    } else {
+      length_ += (step.T_map_base.translation() - last_.T_map_base.translation()).norm();
+    }
+    ++num_steps_;
+    last_.T_map_base = step.T_map_base;
+    last_.time = step.time;
   }
-  const map_matcher::Rigid2& start = drive.steps.front().T_map_base;
-  std::cout << arguments.bag << ": " << drive.steps.size() << " scans in " << drive.steps.back().time << " s, "
-            << length << " m driven from (" << start.x << ", " << start.y << ", " << start.yaw << "), "
-            << drive.visited.size() << " waypoints reached\n";
-}
+
+  void print(const std::string& bag, const DriveSimulation& simulation) const {
+    std::cout << bag << ": " << num_steps_ * simulation.lidarPoses().size() << " scans in " << last_.time << " s, "
+              << length_ << " m driven from (" << start_.x << ", " << start_.y << ", " << start_.yaw << "), "
+              << simulation.visited().size() << " waypoints reached";
+    if (simulation.hasPeople()) {
+      std::cout << ", " << num_people_ << " people";
+    }
+    std::cout << '\n';
+  }
+
+ private:
+  std::size_t num_steps_ = 0;
+  std::size_t num_people_ = 0;
+  double length_ = 0.0;  // [m]
+  map_matcher::Rigid2 start_;
+  DriveStep last_;
+};
 
 void simulate(const Arguments& arguments) {
   map_matcher::OfficeBuildingOptions building;
   building.seed = arguments.building_seed;
   const OccupancyGrid map =
       arguments.map.empty() ? map_matcher::officeBuilding(building) : map_matcher::loadMap(arguments.map);
-  const Drive drive = map_matcher::simulateDrive(map, readOptions(arguments));
-  map_matcher::writeDriveBag(drive, arguments.bag);
-  printSummary(arguments, drive);
+  const DriveOptions options = readOptions(arguments);
+  DriveSimulation simulation(map, options);
+  map_matcher::DriveBagOptions bag_options;
+  bag_options.score_threshold = options.detector.score_threshold;
+  map_matcher::DriveBagWriter bag(arguments.bag, {simulation.lidarPoses(), 1.0 / options.rate}, bag_options);
+  Summary summary;
+  while (const auto step = simulation.next()) {
+    bag.write(*step);
+    summary.add(*step);
+  }
+  bag.close();
+  summary.print(arguments.bag, simulation);
+}
+
+/// The robot that the arguments name: its options are defaults for theirs, so it has to be known before they are read.
+std::string robotIn(int argc, char** argv) {
+  CLI::App app;
+  app.set_help_flag();
+  app.allow_extras();
+  std::string robot;
+  app.add_option("--robot", robot);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError&) {
+    return "";  // will be told when all arguments are read
+  }
+  return robot;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Drives a simulated robot through a map and writes scans, odometry, tf and ground truth into a bag.",
-               "simulate_drive");
+  CLI::App app(
+      "Drives a simulated robot through a map, among people with --people or --density, and writes scans, odometry, "
+      "tf, ground truth and detections of people into a bag.",
+      "simulate_drive");
   Arguments arguments;
+  if (robotIn(argc, argv) == "pepper") {
+    equipAsPepper(arguments.drive);
+  }
   describe(app, arguments);
   return map_matcher::tools::run(app, argc, argv, [&] {
     simulate(arguments);

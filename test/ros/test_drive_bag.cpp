@@ -1,3 +1,4 @@
+#include <geometry_msgs/PoseArray.h>
 #include <geometry_msgs/PoseStamped.h>
 #include <gtest/gtest.h>
 #include <nav_msgs/Odometry.h>
@@ -25,13 +26,7 @@ namespace {
 using test::TemporaryDir;
 using test::thrownText;
 
-Drive smallDrive(std::uint64_t seed = 1) {
-  const OccupancyGrid room = test::asciiMap({"############",  //
-                                             "#..........#",  //
-                                             "#.......#..#",  //
-                                             "#..........#",  //
-                                             "############"},
-                                            0.7);
+DriveOptions smallDriveOptions(std::uint64_t seed) {
   DriveOptions options;
   options.seed = seed;
   options.duration = 4.0;
@@ -39,8 +34,20 @@ Drive smallDrive(std::uint64_t seed = 1) {
   options.lidar.beams = 31;
   options.lidar.range_max = 3.0;  // some rays return nothing
   options.robot.radius = 0.2;
+  return options;
+}
+
+Drive driveInRoom(const DriveOptions& options) {
+  const OccupancyGrid room = test::asciiMap({"############",  //
+                                             "#..........#",  //
+                                             "#.......#..#",  //
+                                             "#..........#",  //
+                                             "############"},
+                                            0.7);
   return simulateDrive(room, options);
 }
+
+Drive smallDrive(std::uint64_t seed = 1) { return driveInRoom(smallDriveOptions(seed)); }
 
 struct Recorded {
   std::string topic;
@@ -111,7 +118,7 @@ TEST_F(DriveBag, holdsTheScansAsTheyWereMeasured) {
   ASSERT_EQ(scans.size(), drive_.steps.size());
   bool some_returned_nothing = false;
   for (std::size_t i = 0; i < scans.size(); ++i) {
-    const LidarScan& expected = drive_.steps[i].scan;
+    const LidarScan& expected = drive_.steps[i].scans.front();
     EXPECT_EQ(scans[i].header.frame_id, "laser");
     EXPECT_EQ(scans[i].header.seq, i);
     EXPECT_EQ(scans[i].ranges, expected.ranges);
@@ -162,7 +169,7 @@ TEST_F(DriveBag, tellsTheTransformOfEveryScanBeforeTheScan) {
     }
     if (const auto scan = instance.instantiate<sensor_msgs::LaserScan>()) {
       const auto transform = buffer.lookupTransform("odom", scan->header.frame_id, scan->header.stamp);
-      const Rigid2 expected = drive_.steps[num_scans].T_odom_base * drive_.T_base_lidar;
+      const Rigid2 expected = drive_.steps[num_scans].T_odom_base * drive_.T_base_lidar.front();
       const Rigid2 T_odom_laser = fromMessage(transform.transform, "T_odom_laser");
       EXPECT_NEAR(T_odom_laser.x, expected.x, 1e-9);
       EXPECT_NEAR(T_odom_laser.y, expected.y, 1e-9);
@@ -185,8 +192,7 @@ TEST_F(DriveBag, isTheSameForTheSameSeedOnly) {
 TEST_F(DriveBag, takesOtherNamesAndAnotherStart) {
   DriveBagOptions options;
   options.start_stamp = 50.25;
-  options.scan_topic = "/sick_laser_front/scan";
-  options.lidar_frame = "sick_laser_front";
+  options.lidars = {{"/sick_laser_front/scan", "/detections", "sick_laser_front"}};
   options.map_frame = "truth_map";
   const std::string path = dir_ / "named.bag";
   writeDriveBag(drive_, path, options);
@@ -196,6 +202,93 @@ TEST_F(DriveBag, takesOtherNamesAndAnotherStart) {
   EXPECT_EQ(scans.front().header.frame_id, "sick_laser_front");
   EXPECT_EQ(messagesOn<tf2_msgs::TFMessage>("/tf", path).front().transforms[1].child_frame_id, "sick_laser_front");
   EXPECT_EQ(messagesOn<geometry_msgs::PoseStamped>("/ground_truth", path).front().header.frame_id, "truth_map");
+}
+
+/// Two lidars, four people, and a detector that is late and works through every other scan.
+Drive crowdedDrive() {
+  DriveOptions options = smallDriveOptions(1);
+  equipAsPepper(options);
+  options.pedestrians.people = 4;
+  options.detector.rate = 8.0;
+  options.detector.latency = 0.1;
+  return driveInRoom(options);
+}
+
+TEST(CrowdedDriveBag, holdsWhereEverybodyIs) {
+  const TemporaryDir dir;
+  const Drive drive = crowdedDrive();
+  writeDriveBag(drive, dir / "crowd.bag");
+  const auto people = messagesOn<geometry_msgs::PoseArray>("/people_truth", dir / "crowd.bag");
+  ASSERT_EQ(people.size(), drive.steps.size());
+  for (std::size_t i = 0; i < people.size(); ++i) {
+    EXPECT_EQ(people[i].header.frame_id, "map");
+    ASSERT_EQ(people[i].poses.size(), 4U);
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Rigid2 pose = fromMessage(people[i].poses[k], "person");
+      EXPECT_NEAR(pose.x, drive.steps[i].people[k].position.x(), 1e-12);
+      EXPECT_NEAR(normalizeAngle(pose.yaw - drive.steps[i].people[k].heading), 0.0, 1e-9);
+    }
+  }
+}
+
+TEST(CrowdedDriveBag, holdsTheScansOfBothLidarsWithTheirFrames) {
+  const TemporaryDir dir;
+  const Drive drive = crowdedDrive();
+  writeDriveBag(drive, dir / "crowd.bag");
+  const auto front = messagesOn<sensor_msgs::LaserScan>("/sick_laser_front/scan", dir / "crowd.bag");
+  const auto rear = messagesOn<sensor_msgs::LaserScan>("/sick_laser_rear/scan", dir / "crowd.bag");
+  ASSERT_EQ(front.size(), drive.steps.size());
+  ASSERT_EQ(rear.size(), drive.steps.size());
+  EXPECT_EQ(front[3].ranges, drive.steps[3].scans[0].ranges);
+  EXPECT_EQ(rear[3].ranges, drive.steps[3].scans[1].ranges);
+  EXPECT_EQ(rear[3].header.frame_id, "sick_laser_rear");
+  const auto transforms = messagesOn<tf2_msgs::TFMessage>("/tf", dir / "crowd.bag").front().transforms;
+  ASSERT_EQ(transforms.size(), 3U);
+  EXPECT_EQ(transforms[2].child_frame_id, "sick_laser_rear");
+  EXPECT_EQ(transforms[2].transform.translation.x, -0.245);
+}
+
+TEST(CrowdedDriveBag, holdsDetectionsAsDrSpaamSendsThem) {
+  const TemporaryDir dir;
+  const Drive drive = crowdedDrive();
+  writeDriveBag(drive, dir / "crowd.bag");
+  for (std::size_t lidar = 0; lidar < 2; ++lidar) {
+    const std::string topic = lidar == 0 ? "/dr_spaam_detections/front" : "/dr_spaam_detections/rear";
+    rosbag::Bag bag(dir / "crowd.bag", rosbag::bagmode::Read);
+    std::size_t num_messages = 0;
+    std::size_t num_detections = 0;
+    for (const rosbag::MessageInstance& instance : rosbag::View(bag, rosbag::TopicQuery(topic))) {
+      const auto message = instance.instantiate<geometry_msgs::PoseArray>();
+      EXPECT_EQ(message->header.frame_id, lidar == 0 ? "sick_laser_front" : "sick_laser_rear");
+      EXPECT_NEAR((instance.getTime() - message->header.stamp).toSec(), 0.1, 1e-6);
+      const DriveStep& step = drive.steps[message->header.seq];
+      EXPECT_NEAR(message->header.stamp.toSec(), 1000.0 + step.time, 1e-6);
+      std::size_t num_counted = 0;
+      for (const PersonDetection& detection : step.detections[lidar]->detections) {
+        num_counted += detection.score >= 0.4 ? 1U : 0U;
+      }
+      ASSERT_EQ(message->poses.size(), num_counted);
+      for (std::size_t k = 0; k < num_counted; ++k) {
+        EXPECT_EQ(message->poses[k].position.x, step.detections[lidar]->detections[k].position.x());
+        EXPECT_EQ(message->poses[k].orientation.w, 0.0);
+        EXPECT_EQ(message->poses[k].orientation.z, 0.0);
+      }
+      num_detections += num_counted;
+      ++num_messages;
+    }
+    EXPECT_EQ(num_messages, (drive.steps.size() + 1) / 2);  // also those with nobody
+    EXPECT_GT(num_detections, 10U);
+  }
+}
+
+TEST(CrowdedDriveBag, refusesNamesForAnotherNumberOfLidars) {
+  const TemporaryDir dir;
+  DriveBagOptions options;
+  options.lidars = lidarNames(1);
+  const std::string text =
+      thrownText<DriveBagError>([&] { writeDriveBag(crowdedDrive(), dir / "crowd.bag", options); });
+  EXPECT_NE(text.find("names for 1 lidars, expected 2"), std::string::npos) << text;
+  EXPECT_EQ(lidarNames(3)[2].scan_topic, "/laser_3/scan");
 }
 
 TEST_F(DriveBag, thatCannotBeWrittenIsAnErrorThatNamesTheFile) {

@@ -107,6 +107,34 @@ TEST(Lidar, seesTheSameWithTheSameSeedOnly) {
   EXPECT_NE(lidarWith(options, 5).scan(world, pose).ranges, lidarWith(options, 6).scan(world, pose).ranges);
 }
 
+TEST(Lidar, seesLegsBeforeWallsAndCountsItsRaysOnThem) {
+  const World world(asciiMap({".........#"}));
+  LidarOptions options = threeRays();
+  options.range_max = 10.0;
+  const std::vector<Circle> legs{{{4.5, 0.5}, 0.1}, {{6.5, 0.5}, 0.1}, {{0.5, 0.8}, 0.1}};
+  const LidarView view = lidarWith(options).scanAmong(legs, world, {0.5, 0.5, 0.0});
+  EXPECT_EQ(view.scan.ranges[0], kNoReturn);
+  EXPECT_NEAR(view.scan.ranges[1], 3.9, 1e-6);
+  EXPECT_NEAR(view.scan.ranges[2], 0.2, 1e-6);
+  EXPECT_EQ(view.rays_on, (std::vector<int>{1, 0, 1}));
+}
+
+/// The noise of a ray does not depend on what it meets, so the rays past the legs are the same with them.
+TEST(Lidar, seesTheRestAsWithoutTheLegs) {
+  const World world(asciiMap({".........#"}));
+  LidarOptions options;
+  options.T_base_lidar = {};
+  const Rigid2 pose{0.5, 0.5, 0.0};
+  const LidarScan without = lidarWith(options, 3).scan(world, pose);
+  const LidarView with = lidarWith(options, 3).scanAmong({{{3.5, 0.5}, 0.07}}, world, pose);
+  int num_changed = 0;
+  for (std::size_t i = 0; i < without.ranges.size(); ++i) {
+    num_changed += without.ranges[i] == with.scan.ranges[i] ? 0 : 1;
+  }
+  EXPECT_EQ(num_changed, 9);  // a circle of 0.07 m at 3 m spans 1.337 degrees to either side, a ray each third
+  EXPECT_EQ(with.rays_on, (std::vector<int>{9}));
+}
+
 TEST(Lidar, namesEveryOptionOutOfItsRange) {
   LidarOptions options;
   options.beams = 1;

@@ -130,5 +130,50 @@ TEST(PathPlanner, refusesAClearanceThatIsNotPositive) {
   EXPECT_THROW(PathPlanner(world, std::nan("")), std::invalid_argument);
 }
 
+TEST(PathPlanner, leadsFromEverywhereToAGoal) {
+  const OccupancyGrid grid = twoRooms("#..................#");
+  const World world(grid);
+  const PathPlanner planner(world, 0.3);
+  const Eigen::Vector2d goal(8.7, 3.2);
+  const WayField field = planner.waysTo(goal);
+  for (const Eigen::Vector2d& place : planner.places()) {
+    const std::vector<Eigen::Vector2d> way = field.ahead(place, 100.0);
+    ASSERT_FALSE(way.empty());
+    EXPECT_LT((way.front() - place).norm(), 1e-9);
+    EXPECT_LT((way.back() - goal).norm(), 0.1);
+    for (const Eigen::Vector2d& p : way) {
+      ASSERT_TRUE(world.isClear(p, 0.3));
+    }
+  }
+  const std::vector<Eigen::Vector2d> start = field.ahead({1.2, 3.3}, 1.0);
+  EXPECT_NEAR(lengthOf(start), 1.0, 0.15);
+  const auto path = planner.plan({1.2, 3.3}, goal);
+  EXPECT_NEAR(lengthOf(field.ahead({1.2, 3.3}, 100.0)), lengthOf(*path), 0.3);
+}
+
+TEST(PathPlanner, leadsNowhereFromOrToPlacesThatCannotBeReached) {
+  const World world(twoRooms("#........#.........#"));
+  const PathPlanner planner(world, 0.3);
+  EXPECT_TRUE(planner.waysTo({8.7, 3.2}).ahead({1.2, 3.3}, 1.0).empty());
+  EXPECT_TRUE(planner.waysTo({4.75, 3.3}).ahead({1.2, 3.3}, 1.0).empty());
+  EXPECT_FALSE(planner.waysTo({8.7, 3.2}).ahead({5.2, 3.3}, 1.0).empty());  // too near to the wall, but not far off
+}
+
+/// A room of 9 m x 3.5 m: its corners cannot be covered by a circle.
+TEST(PathPlanner, knowsTheAreaThatCanBeCovered) {
+  const World world(resample(asciiMap({"####################",  //
+                                       "#..................#",  //
+                                       "#..................#",  //
+                                       "#..................#",  //
+                                       "#..................#",  //
+                                       "#..................#",  //
+                                       "#..................#",  //
+                                       "#..................#",  //
+                                       "####################"},
+                                      0.5),
+                             0.05));
+  EXPECT_NEAR(PathPlanner(world, 0.2).coveredArea(), 9.0 * 3.5, 0.9);
+}
+
 }  // namespace
 }  // namespace map_matcher

@@ -4,6 +4,9 @@
 #include <sensor_msgs/LaserScan.h>
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
 #include <string>
 
 #include "map_matcher/grid/map_file.hpp"
@@ -29,6 +32,11 @@ class SimulateDrive : public testing::Test {
   }
 
   static ProgramRun run(const std::string& arguments) { return test::runProgram(SIMULATE_DRIVE, arguments); }
+
+  static std::string contentOf(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  }
 
   sensor_msgs::LaserScan::ConstPtr firstScan(std::size_t& count) const {
     rosbag::Bag bag(bag_, rosbag::bagmode::Read);
@@ -63,11 +71,38 @@ TEST_F(SimulateDrive, drivesThroughTheBuildingOfASeed) {
   EXPECT_EQ(num_scans, 46U);
 }
 
+TEST_F(SimulateDrive, drivesAPepperAmongPeopleTheSameWayEachTime) {
+  const std::string drive_among =
+      "--building-seed 2 --seed 4 --duration 3 --robot pepper --people 30 --beams 211 "
+      "--standing-share 0.5 --detector-recall 0.9 --bag ";
+  const ProgramRun drive = run(drive_among + bag_);
+  ASSERT_EQ(drive.exit_status, 0) << drive.output;
+  EXPECT_NE(drive.output.find("92 scans in 3 s"), std::string::npos) << drive.output;
+  EXPECT_NE(drive.output.find("30 people"), std::string::npos) << drive.output;
+  std::map<std::string, std::size_t> counts;
+  rosbag::Bag bag(bag_, rosbag::bagmode::Read);
+  for (const rosbag::MessageInstance& instance : rosbag::View(bag)) {
+    ++counts[instance.getTopic()];
+  }
+  EXPECT_EQ(counts, (std::map<std::string, std::size_t>{{"/dr_spaam_detections/front", 46},
+                                                        {"/dr_spaam_detections/rear", 46},
+                                                        {"/ground_truth", 46},
+                                                        {"/odom", 46},
+                                                        {"/people_truth", 46},
+                                                        {"/sick_laser_front/scan", 46},
+                                                        {"/sick_laser_rear/scan", 46},
+                                                        {"/tf", 46}}));
+  const std::string again = dir_ / "again.bag";
+  ASSERT_EQ(run(drive_among + again).exit_status, 0);
+  EXPECT_TRUE(contentOf(bag_) == contentOf(again));
+}
+
 TEST_F(SimulateDrive, tellsItsOptionsWithTheirRangesAndDefaults) {
   const ProgramRun help = run("--help");
   EXPECT_EQ(help.exit_status, 0);
-  for (const char* text : {"--map", "--building-seed", "--seed", "--duration", "--sigma", "--beams", "--rate",
-                           "--waypoints", "--bag", "[0 to 1 m]", "--alpha1", "Exit status"}) {
+  for (const char* text :
+       {"--map", "--building-seed", "--seed", "--duration", "--sigma", "--beams", "--rate", "--waypoints", "--bag",
+        "--people", "--density", "--robot", "--detector-precision", "[0 to 1 m]", "--alpha1", "Exit status"}) {
     EXPECT_NE(help.output.find(text), std::string::npos) << text << " is not in: " << help.output;
   }
 }
@@ -84,8 +119,9 @@ TEST_F(SimulateDrive, refusesBadArgumentsAndWritesNothing) {
         Case{"--map " + map_ + " --start 0.1 0.1 0", "start is (0.1, 0.1) m"},
         Case{"--map " + map_ + " --start 1 2", "--start"},
         Case{"--map " + map_ + " --building-seed 1", "--building-seed"},
-        Case{"--map " + dir_ / "nowhere.yaml", "nowhere.yaml' does not exist"},
-        Case{"--map " + map_ + " --beams many", "many"}, Case{"--building-seed -3", "-3"}}) {
+        Case{"--map " + dir_ / "nowhere.yaml", "nowhere.yaml' does not exist"}, Case{"--robot spot", "spot"},
+        Case{"--density 5", "density is 5, expected 0 to 3 1/m^2"}, Case{"--map " + map_ + " --beams many", "many"},
+        Case{"--building-seed -3", "-3"}}) {
     const ProgramRun drive = run(bad.arguments + " --bag " + bag_);
     EXPECT_EQ(drive.exit_status, 2) << bad.arguments;
     EXPECT_NE(drive.output.find(bad.complaint), std::string::npos) << bad.arguments << ": " << drive.output;

@@ -7,6 +7,7 @@
 
 #include "map_matcher/grid/rigid2.hpp"
 #include "map_matcher/parameters/parameter.hpp"
+#include "map_matcher/simulation/circle.hpp"
 #include "map_matcher/simulation/random_numbers.hpp"
 #include "map_matcher/simulation/world.hpp"
 
@@ -35,6 +36,12 @@ struct LidarScan {
   std::vector<float> ranges;     ///< [m]; infinity where nothing returned (REP 117).
 };
 
+/// A scan, and what was in it.
+struct LidarView {
+  LidarScan scan;
+  std::vector<int> rays_on;  ///< For each circle: how many rays returned from it.
+};
+
 /// Measures ranges with noise of its own. Not thread-safe.
 class Lidar {
  public:
@@ -44,9 +51,10 @@ class Lidar {
   /// The scan from a robot that stands at this pose; all rays at one instant.
   LidarScan scan(const World& world, const Rigid2& T_map_base);
 
- private:
-  float measure(double distance);
+  /// The same among round obstacles, such as legs, in the map frame. They and the walls hide each other.
+  LidarView scanAmong(const std::vector<Circle>& circles, const World& world, const Rigid2& T_map_base);
 
+ private:
   LidarOptions options_;
   RandomNumbers noise_;
 };

@@ -2,11 +2,14 @@
 /// Drives a robot along a path.
 #pragma once
 
+#include <Eigen/Core>
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "map_matcher/simulation/path_planner.hpp"
 #include "map_matcher/simulation/robot.hpp"
+#include "map_matcher/simulation/steering.hpp"
 #include "map_matcher/simulation/world.hpp"
 
 namespace map_matcher {
@@ -19,15 +22,17 @@ class PathFollower {
   /// `world` must outlive the follower; the path has at least one point.
   PathFollower(const World& world, Path path);
 
-  /// The velocity to command now; `period` [s] is the time until the next command.
-  Velocity command(const DifferentialDrive& robot, double period);
+  /// The velocity to command now; `period` [s] is the time until the next command. Where there are `others`, the robot
+  /// leaves the path to get past them by steer().
+  Velocity command(const DifferentialDrive& robot, double period, const std::vector<Mover>& others = {});
 
   /// Whether the robot stood within reach of the path's end at the last command.
   bool arrived() const { return arrived_; }
 
  private:
   void advance(const Eigen::Vector2d& position);
-  Eigen::Vector2d pointToPursue(const DifferentialDrive& robot) const;
+  Eigen::Vector2d pointToPursue(const DifferentialDrive& robot, double lookahead) const;
+  Eigen::Vector2d detour(const DifferentialDrive& robot, const std::vector<Mover>& others) const;
   bool isClear(const Eigen::Vector2d& from, const Eigen::Vector2d& to, double radius) const;
   double safeSpeed(const DifferentialDrive& robot, double period) const;
 

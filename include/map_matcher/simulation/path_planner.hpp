@@ -3,10 +3,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "map_matcher/grid/occupancy_grid.hpp"
+#include "map_matcher/simulation/way_field.hpp"
 #include "map_matcher/simulation/world.hpp"
 
 namespace map_matcher {
@@ -27,6 +30,12 @@ class PathPlanner {
   /// it.
   std::optional<Path> plan(const Eigen::Vector2d& start, const Eigen::Vector2d& goal) const;
 
+  /// The ways from everywhere to a goal with the required clearance; there are none from anywhere to another goal.
+  WayField waysTo(const Eigen::Vector2d& goal) const;
+
+  /// Area [m^2] that lies within the required clearance of the places: what somebody of this radius can cover.
+  double coveredArea() const;
+
   /// Centres of the cells to stand in that are connected with each other: the largest such region of the world. Empty
   /// when the robot fits nowhere.
   const std::vector<Eigen::Vector2d>& places() const { return places_; }
@@ -41,7 +50,7 @@ class PathPlanner {
   void measureCosts();
   void findPlaces();
   std::optional<Cell> freeCellNear(const Eigen::Vector2d& p_map) const;
-  std::vector<std::size_t> search(const Cell& start, const Cell& goal) const;
+  std::vector<std::uint32_t> explore(const Cell& start, const std::optional<Cell>& goal) const;
 
   const World& world_;
   double required_clearance_;

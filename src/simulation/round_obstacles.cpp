@@ -1,0 +1,94 @@
+#include "map_matcher/simulation/round_obstacles.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace map_matcher {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// A circle as the lidar sees it.
+struct SeenCircle {
+  double distance;  // [m] of its centre
+  double bearing;   // [rad] of its centre
+  double radius;    // [m]
+};
+
+/// Distance [m] along a ray at this angle [rad] to where it enters the circle; infinity when it does not.
+double entryInto(const SeenCircle& circle, double angle) {
+  if (circle.distance <= circle.radius) {
+    return 0.0;
+  }
+  const double along = circle.distance * std::cos(angle - circle.bearing);
+  const double across = circle.distance * std::sin(angle - circle.bearing);
+  const double half_chord_squared = circle.radius * circle.radius - across * across;
+  return along > 0.0 && half_chord_squared >= 0.0 ? along - std::sqrt(half_chord_squared) : kInfinity;
+}
+
+/// Calls `visit(i)` for the rays within `half_width` [rad] of a bearing, and perhaps for its neighbours.
+template <typename Visit>
+void visitRays(const RayFan& fan, std::size_t num_rays, double bearing, double half_width, Visit&& visit) {
+  const double width = half_width / std::abs(fan.angle_increment);        // [rays]
+  const double full_turn = 2.0 * M_PI / std::abs(fan.angle_increment);    // [rays]
+  const double centre = (bearing - fan.angle_min) / fan.angle_increment;  // [rays], up to whole turns
+  const double first_centre = centre - std::floor((centre + width) / full_turn) * full_turn;
+  const auto last_ray = static_cast<double>(num_rays) - 1.0;
+  for (double c = first_centre; c - width <= last_ray; c += full_turn) {
+    const auto first = static_cast<std::size_t>(std::max(0.0, std::ceil(c - width)));
+    const double last = std::min(last_ray, std::floor(c + width));
+    for (std::size_t i = first; static_cast<double>(i) <= last; ++i) {
+      visit(i);
+    }
+  }
+}
+
+}  // namespace
+
+RaysOnCircles castOnCircles(const std::vector<Circle>& circles, const Rigid2& T_map_lidar, const RayFan& fan,
+                            const std::vector<double>& background) {
+  RaysOnCircles nearest{background, std::vector<std::optional<std::size_t>>(background.size())};
+  const Rigid2 T_lidar_map = T_map_lidar.inverse();
+  const Eigen::Matrix2d rotation = T_lidar_map.rotation();
+  for (std::size_t k = 0; k < circles.size(); ++k) {
+    const Eigen::Vector2d centre = rotation * circles[k].centre + T_lidar_map.translation();
+    const SeenCircle seen{centre.norm(), std::atan2(centre.y(), centre.x()), circles[k].radius};
+    if (!(seen.distance - seen.radius <= fan.range_max)) {
+      continue;
+    }
+    const double half_width = seen.distance > seen.radius ? std::asin(seen.radius / seen.distance) : M_PI;
+    visitRays(fan, background.size(), seen.bearing, half_width, [&](std::size_t i) {
+      const double entry = entryInto(seen, fan.angle_min + static_cast<double>(i) * fan.angle_increment);
+      if (entry < nearest.distances[i]) {
+        nearest.distances[i] = entry;
+        nearest.circles[i] = k;
+      }
+    });
+  }
+  return nearest;
+}
+
+LidarScan insertCircles(const LidarScan& scan, const std::vector<Circle>& circles, const Rigid2& T_map_lidar,
+                        double sigma, RandomNumbers& noise) {
+  std::vector<double> background(scan.ranges.size(), kInfinity);
+  for (std::size_t i = 0; i < background.size(); ++i) {
+    const double range = scan.ranges[i];
+    if (std::isfinite(range) && range >= scan.range_min && range <= scan.range_max) {
+      background[i] = range;
+    }
+  }
+  const RaysOnCircles nearest =
+      castOnCircles(circles, T_map_lidar, {scan.angle_min, scan.angle_increment, scan.range_max}, background);
+  LidarScan among = scan;
+  for (std::size_t i = 0; i < background.size(); ++i) {
+    if (nearest.circles[i]) {
+      const double range = nearest.distances[i] + sigma * noise.gaussian();
+      const bool returned = range >= scan.range_min && range <= scan.range_max;
+      among.ranges[i] = returned ? static_cast<float>(range) : std::numeric_limits<float>::infinity();
+    }
+  }
+  return among;
+}
+
+}  // namespace map_matcher
