@@ -21,14 +21,14 @@ ReferenceVeto::ReferenceVeto(ros::NodeHandle node, const tf2::BufferCore& tf, do
 void ReferenceVeto::onMap(const nav_msgs::OccupancyGrid& message) {
   try {
     reference_frame_ = frameOf(message.header);
-    veto_.emplace(fromMessage(message), distance_);
+    near_walls_.emplace(fromMessage(message), distance_);
   } catch (const MessageError& error) {
     ROS_WARN_STREAM("reference_map dropped: " << error.what());
   }
 }
 
 int ReferenceVeto::apply(DetectionSet& set) const {
-  if (!veto_ || set.detections.empty()) {
+  if (!near_walls_ || set.detections.empty()) {
     return 0;
   }
   // As in the fixed frame of the map, which does not move.
@@ -38,7 +38,7 @@ int ReferenceVeto::apply(DetectionSet& set) const {
     return 0;  // not localized
   }
   const auto is_on_wall = [&](const Detection& detection) {
-    return veto_->isOnWall((*pose.T_scan_set * detection.position).head<2>());
+    return near_walls_->isNearWall((*pose.T_scan_set * detection.position).head<2>());
   };
   std::vector<Detection>& detections = set.detections;
   const auto end = std::remove_if(detections.begin(), detections.end(), is_on_wall);

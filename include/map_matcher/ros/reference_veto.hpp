@@ -9,8 +9,8 @@
 #include <optional>
 #include <string>
 
+#include "map_matcher/grid/near_walls.hpp"
 #include "map_matcher/scrubbing/detections.hpp"
-#include "map_matcher/scrubbing/wall_veto.hpp"
 
 namespace map_matcher {
 
@@ -31,7 +31,7 @@ class ReferenceVeto {
   const tf2::BufferCore& tf_;
   double distance_;
   std::string reference_frame_;
-  std::optional<WallVeto> veto_;
+  std::optional<NearWalls> near_walls_;
   ros::Subscriber subscriber_;
 };
 

@@ -1,4 +1,4 @@
-#include "map_matcher/scrubbing/wall_veto.hpp"
+#include "map_matcher/grid/near_walls.hpp"
 
 #include <cmath>
 #include <opencv2/imgproc.hpp>
@@ -9,13 +9,13 @@
 
 namespace map_matcher {
 
-WallVeto::WallVeto(const OccupancyGrid& reference, double distance, std::int8_t occupied_threshold)
-    : geometry_(reference.geometry()) {
+NearWalls::NearWalls(const OccupancyGrid& map, double distance, std::int8_t occupied_threshold)
+    : geometry_(map.geometry()) {
   if (!(std::isfinite(distance) && distance >= 0.0)) {
     throw std::invalid_argument("distance is " + std::to_string(distance) + ", expected at least 0 m");
   }
   cv::Mat free(geometry_.height, geometry_.width, CV_8U, cv::Scalar(1));
-  for (const Cell& wall : occupiedCells(reference, occupied_threshold)) {
+  for (const Cell& wall : occupiedCells(map, occupied_threshold)) {
     free.at<std::uint8_t>(wall.y, wall.x) = 0;
   }
   cv::Mat distances;  // [cells]; with no wall at all they are very large
@@ -29,11 +29,11 @@ WallVeto::WallVeto(const OccupancyGrid& reference, double distance, std::int8_t 
   }
 }
 
-bool WallVeto::isOnWall(const Eigen::Vector2d& p_reference) const {
-  if (!p_reference.allFinite()) {
+bool NearWalls::isNearWall(const Eigen::Vector2d& p_map) const {
+  if (!p_map.allFinite()) {
     return false;
   }
-  const Cell cell = geometry_.cellAt(p_reference);
+  const Cell cell = geometry_.cellAt(p_map);
   return geometry_.contains(cell) &&
          near_wall_[static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(geometry_.width) +
                     static_cast<std::size_t>(cell.x)] != 0;
