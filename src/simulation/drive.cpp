@@ -43,6 +43,9 @@ std::vector<std::string> problemsOfDrive(DriveOptions options) {
       problems.push_back(text.str());
     }
   }
+  if (options.explore && !options.waypoints.empty()) {
+    problems.emplace_back("there are waypoints, expected none for a robot that explores");
+  }
   const std::optional<Rigid2>& start = options.start;
   if (start && !(start->translation().allFinite() && std::isfinite(start->yaw))) {
     std::ostringstream text;
@@ -56,6 +59,10 @@ std::vector<std::string> problemsOfDrive(DriveOptions options) {
 const DriveOptions& checked(const DriveOptions& options) {
   throwIfAny(problemsOfDrive(options));
   return options;
+}
+
+ItineraryOptions itineraryOf(const DriveOptions& options) {
+  return {options.robot.radius, options.min_waypoint_distance, options.start, options.waypoints, options.explore};
 }
 
 /// Parts of a period that are not longer than `longest` [s].
@@ -94,13 +101,14 @@ void equipAsPepper(DriveOptions& options) {
 DriveSimulation::DriveSimulation(const OccupancyGrid& map, const DriveOptions& options)
     : options_(checked(options)),
       world_(map),
-      itinerary_(world_, {options.robot.radius, options.min_waypoint_distance, options.start, options.waypoints},
-                 RandomNumbers(options.seed, kWay)),
+      itinerary_(world_, itineraryOf(options), RandomNumbers(options.seed, kWay)),
       robot_(options.robot, itinerary_.start()),
       odometry_(options.odometry, robot_.T_map_base(), RandomNumbers(options.seed, kOdometryNoise)),
-      way_(itinerary_.nextWay()),
       lingers_at_(robot_.T_map_base().translation()) {
   equip(map);
+  if (!options_.explore) {
+    way_ = itinerary_.nextWay(itinerary_.start().translation());
+  }
 }
 
 /// Lidars, and people and detectors where they were asked for.
@@ -130,23 +138,38 @@ std::optional<DriveStep> DriveSimulation::next() {
   if (num_steps_ == num_steps) {
     return std::nullopt;
   }
+  if (is_over_) {
+    return std::nullopt;
+  }
   if (num_steps_ > 0) {
     drive(1.0 / options_.rate);
   }
-  if (!way_) {
+  if (!way_ && !options_.explore) {
     return std::nullopt;
   }
   odometry_.read(robot_.T_map_base());
   DriveStep step = look();
   ++num_steps_;
+  if (options_.explore) {
+    explore(step);
+  }
   return step;
+}
+
+/// Chooses the way on from what is seen, when there is none or its goal has been seen from afar.
+void DriveSimulation::explore(const DriveStep& step) {
+  for (std::size_t i = 0; i < step.scans.size(); ++i) {
+    itinerary_.see(step.scans[i], step.T_map_base * T_base_lidar_[i]);
+  }
+  if (!way_ || !itinerary_.isWorthwhile(way_->back())) {
+    way_ = itinerary_.nextWay(step.T_map_base.translation());
+    follower_.reset();
+    is_over_ = !way_;
+  }
 }
 
 /// Moves people and robot on by `period`; the end of a way stops the robot.
 void DriveSimulation::drive(double period) {
-  if (!way_) {
-    return;
-  }
   if (!follower_) {
     follower_.emplace(world_, *way_);
   }
@@ -162,7 +185,7 @@ void DriveSimulation::drive(double period) {
   }
   if (follower_->arrived()) {
     visited_.push_back(way_->back());
-    way_ = itinerary_.nextWay();
+    way_ = options_.explore ? std::nullopt : itinerary_.nextWay(robot_.T_map_base().translation());
     follower_.reset();
   } else if (people_) {
     lookForOtherWay(period);
@@ -191,7 +214,7 @@ void DriveSimulation::lookForOtherWay(double period) {
     return;
   }
   lingers_for_ = 0.0;
-  std::optional<Path> other = itinerary_.otherWay(position);
+  std::optional<Path> other = itinerary_.otherWay(position, way_->back());
   if (other) {
     way_ = std::move(other);
     follower_.reset();

@@ -26,13 +26,25 @@ Itinerary::Itinerary(const World& world, ItineraryOptions options, const RandomN
       random_(random),
       start_(chooseStart()),
       last_place_(start_.translation()) {
+  if (options_.explore) {
+    exploration_.emplace(planner_);
+  }
   for (std::size_t i = 0; i < options_.waypoints.size(); ++i) {
     const Eigen::Vector2d& from = i == 0 ? last_place_ : options_.waypoints[i - 1];
     given_ways_.push_back(plan(from, options_.waypoints[i], "waypoint " + std::to_string(i + 1)));
   }
 }
 
-std::optional<Path> Itinerary::nextWay() {
+void Itinerary::see(const LidarScan& scan, const Rigid2& T_map_lidar) {
+  if (exploration_) {
+    exploration_->see(scan, T_map_lidar);
+  }
+}
+
+std::optional<Path> Itinerary::nextWay(const Eigen::Vector2d& position) {
+  if (exploration_) {
+    return exploration_->nextWay(position, std::nullopt);
+  }
   if (options_.waypoints.empty()) {
     const Eigen::Vector2d from = std::exchange(last_place_, randomPlaceFarFrom(last_place_));
     return plan(from, last_place_, "the next waypoint");
@@ -43,7 +55,10 @@ std::optional<Path> Itinerary::nextWay() {
   return given_ways_[num_given_++];
 }
 
-std::optional<Path> Itinerary::otherWay(const Eigen::Vector2d& position) {
+std::optional<Path> Itinerary::otherWay(const Eigen::Vector2d& position, const Eigen::Vector2d& goal) {
+  if (exploration_) {
+    return exploration_->nextWay(position, goal);
+  }
   if (!options_.waypoints.empty()) {
     return planner_.plan(position, options_.waypoints[num_given_ - 1]);
   }

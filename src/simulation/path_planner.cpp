@@ -117,16 +117,40 @@ std::optional<Path> PathPlanner::plan(const Eigen::Vector2d& start, const Eigen:
   if (!first || !last) {
     return std::nullopt;
   }
-  const std::vector<std::uint32_t> came_from = explore(*first, *last);
-  if (came_from[indexOf(*last)] == WayField::kNone) {
+  const Search found = explore(
+      *first, [&](const Cell& cell) { return cell == *last; },
+      [&](const Cell& cell) { return octileDistance(cell, *last); });
+  if (!found.reached) {
     return std::nullopt;
   }
-  Path path{goal};
-  for (std::size_t index = indexOf(*last); index != indexOf(*first); index = came_from[index]) {
+  Path path = pathTo(*last, *first, found.came_from);
+  path.insert(path.begin(), start);
+  path.push_back(goal);
+  return path;
+}
+
+std::optional<Path> PathPlanner::planToNearest(const Eigen::Vector2d& start,
+                                               const std::function<bool(const Eigen::Vector2d&)>& is_goal) const {
+  const std::optional<Cell> first = freeCellNear(start);
+  if (!first) {
+    return std::nullopt;
+  }
+  const Search found = explore(
+      *first, [&](const Cell& cell) { return is_goal(geometry_.cellCentre(cell)); }, [](const Cell&) { return 0.0F; });
+  if (!found.reached) {
+    return std::nullopt;
+  }
+  Path path = pathTo(*found.reached, *first, found.came_from);
+  path.insert(path.begin(), start);
+  return path;
+}
+
+Path PathPlanner::pathTo(const Cell& reached, const Cell& first, const std::vector<std::uint32_t>& came_from) const {
+  Path path;
+  for (std::size_t index = indexOf(reached); index != indexOf(first); index = came_from[index]) {
     path.push_back(geometry_.cellCentre(cellOf(index)));
   }
-  path.push_back(geometry_.cellCentre(*first));
-  path.push_back(start);
+  path.push_back(geometry_.cellCentre(first));
   std::reverse(path.begin(), path.end());
   return path;
 }
@@ -137,7 +161,9 @@ WayField PathPlanner::waysTo(const Eigen::Vector2d& goal) const {
     return WayField(geometry_, std::vector<std::uint32_t>(costs_.size(), WayField::kNone));
   }
   // A way costs the same in both directions.
-  return WayField(geometry_, explore(*last, std::nullopt));
+  const Search found = explore(
+      *last, [](const Cell&) { return false; }, [](const Cell&) { return 0.0F; });
+  return WayField(geometry_, found.came_from);
 }
 
 double PathPlanner::coveredArea() const {
@@ -158,24 +184,26 @@ double PathPlanner::coveredArea() const {
   return num_covered * geometry_.resolution * geometry_.resolution;
 }
 
-/// A* from the start to the goal, or without a goal Dijkstra's search of all that can be reached. For each cell whose
-/// way was found the index of the cell before it, for the start its own, for all others WayField::kNone.
-std::vector<std::uint32_t> PathPlanner::explore(const Cell& start, const std::optional<Cell>& goal) const {
+/// A* from the start to the first goal that is found; `cost_to_go` is a lower bound of the cost from a cell to a goal.
+/// The start came from itself.
+PathPlanner::Search PathPlanner::explore(const Cell& start, const IsGoal& is_goal, const CostToGo& cost_to_go) const {
   std::vector<float> spent(costs_.size(), std::numeric_limits<float>::infinity());
   std::vector<std::uint32_t> came_from(costs_.size(), WayField::kNone);
   using Entry = std::pair<float, std::size_t>;  // cost through the cell to the goal at best, index of the cell
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
-  const auto to_go = [&](const Cell& cell) { return goal ? octileDistance(cell, *goal) : 0.0F; };
   spent[indexOf(start)] = 0.0F;
   came_from[indexOf(start)] = static_cast<std::uint32_t>(indexOf(start));
-  open.emplace(to_go(start), indexOf(start));
+  open.emplace(cost_to_go(start), indexOf(start));
 
-  while (!open.empty() && !(goal && open.top().second == indexOf(*goal))) {
+  while (!open.empty()) {
     const auto [estimate, index] = open.top();
     open.pop();
     const Cell cell = cellOf(index);
-    if (estimate > spent[index] + to_go(cell)) {
+    if (estimate > spent[index] + cost_to_go(cell)) {
       continue;  // a cheaper way to this cell was found after the entry was made
+    }
+    if (is_goal(cell)) {
+      return {std::move(came_from), cell};
     }
     for (const Cell& step : kNeighbours) {
       const Cell next{cell.x + step.x, cell.y + step.y};
@@ -189,11 +217,11 @@ std::vector<std::uint32_t> PathPlanner::explore(const Cell& start, const std::op
       if (cost < spent[next_index]) {
         spent[next_index] = cost;
         came_from[next_index] = static_cast<std::uint32_t>(index);
-        open.emplace(cost + to_go(next), next_index);
+        open.emplace(cost + cost_to_go(next), next_index);
       }
     }
   }
-  return came_from;
+  return {std::move(came_from), std::nullopt};
 }
 
 }  // namespace map_matcher

@@ -53,7 +53,10 @@ double exitOf(double origin, double direction, int cell) {
 }  // namespace
 
 World::World(const OccupancyGrid& grid, std::int8_t occupied_threshold)
-    : geometry_(grid.geometry()), padded_width_(grid.width() + 2) {
+    : geometry_(grid.geometry()),
+      T_grid_map_(geometry_.T_map_grid.inverse()),
+      rotation_(T_grid_map_.rotation()),
+      padded_width_(grid.width() + 2) {
   if (occupied_threshold < 1 || occupied_threshold > 100) {
     throw std::invalid_argument("occupied_threshold is " + std::to_string(static_cast<int>(occupied_threshold)) +
                                 ", expected 1 to 100 percent");
@@ -85,7 +88,7 @@ void World::measureFreeSpace(const OccupancyGrid& grid, std::int8_t occupied_thr
 
 /// Coordinates in the padded grid [cells].
 Eigen::Vector2d World::toCells(const Eigen::Vector2d& p_map) const {
-  return (geometry_.T_map_grid.inverse() * p_map / geometry_.resolution).array() + 1.0;
+  return ((rotation_ * p_map + T_grid_map_.translation()) / geometry_.resolution).array() + 1.0;
 }
 
 /// Whether a point of the padded grid [cells] lies within the grid; NaN does not.

@@ -26,6 +26,7 @@ struct Arguments {
   std::uint64_t building_seed = 1;
   std::string bag;
   std::string robot = "pioneer";
+  std::string itinerary;
   std::vector<double> start;
   std::vector<double> waypoints;
   DriveOptions drive;
@@ -44,6 +45,11 @@ void describe(CLI::App& app, Arguments& arguments) {
          "size and speed")
       ->capture_default_str()
       ->check(CLI::IsMember({"pioneer", "pepper"}));
+  app.add_option(
+         "--itinerary", arguments.itinerary,
+         "waypoints: those given; random: random ones for ever; explore: wherever nothing was seen yet, until all "
+         "is; when not given: waypoints, if there are any, else random")
+      ->check(CLI::IsMember({"waypoints", "random", "explore"}));
   app.add_option("--start", arguments.start, "Pose x y yaw in the map [m m rad]; random when not given")->expected(3);
   app.add_option("--waypoints", arguments.waypoints,
                  "Places x1 y1 x2 y2 ... in the map to visit in this order [m]; random ones when not given");
@@ -56,6 +62,11 @@ DriveOptions readOptions(const Arguments& arguments) {
   if (!arguments.start.empty()) {
     options.start = {arguments.start[0], arguments.start[1], arguments.start[2]};
   }
+  if (!arguments.itinerary.empty() && (arguments.itinerary == "waypoints") == arguments.waypoints.empty()) {
+    throw std::invalid_argument("--itinerary is " + arguments.itinerary + ", expected " +
+                                (arguments.waypoints.empty() ? "--waypoints with it" : "no --waypoints with it"));
+  }
+  options.explore = arguments.itinerary == "explore";
   if (arguments.waypoints.size() % 2 != 0) {
     throw std::invalid_argument("--waypoints has " + std::to_string(arguments.waypoints.size()) +
                                 " numbers, expected an x and a y for each place");

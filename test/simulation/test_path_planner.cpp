@@ -130,6 +130,22 @@ TEST(PathPlanner, refusesAClearanceThatIsNotPositive) {
   EXPECT_THROW(PathPlanner(world, std::nan("")), std::invalid_argument);
 }
 
+TEST(PathPlanner, findsTheNearestOfSeveralGoals) {
+  const World world(twoRooms("#..................#"));
+  const PathPlanner planner(world, 0.3);
+  const Eigen::Vector2d start(1.2, 3.3);
+  const auto far_away = [](const Eigen::Vector2d& p) { return p.x() > 5.5; };
+  const auto path = planner.planToNearest(start, far_away);
+  ASSERT_TRUE(path);
+  EXPECT_EQ(path->front(), start);
+  EXPECT_NEAR(path->back().x(), 5.55, 0.06);
+  for (std::size_t i = 1; i + 1 < path->size(); ++i) {
+    EXPECT_FALSE(far_away((*path)[i]));
+  }
+  EXPECT_FALSE(planner.planToNearest(start, [](const Eigen::Vector2d& p) { return p.x() > 50.0; }));
+  EXPECT_FALSE(planner.planToNearest({-3.0, 3.3}, far_away));
+}
+
 TEST(PathPlanner, leadsFromEverywhereToAGoal) {
   const OccupancyGrid grid = twoRooms("#..................#");
   const World world(grid);

@@ -97,6 +97,15 @@ TEST_F(SimulateDrive, drivesAPepperAmongPeopleTheSameWayEachTime) {
   EXPECT_TRUE(contentOf(bag_) == contentOf(again));
 }
 
+TEST_F(SimulateDrive, exploresARoomAndEnds) {
+  const ProgramRun drive =
+      run("--map " + map_ + " --bag " + bag_ + " --radius 0.2 --duration 100 --start 1.2 1.2 0 --itinerary explore");
+  ASSERT_EQ(drive.exit_status, 0) << drive.output;
+  std::size_t num_scans = 0;
+  firstScan(num_scans);
+  EXPECT_LT(num_scans, 600U);
+}
+
 TEST_F(SimulateDrive, tellsItsOptionsWithTheirRangesAndDefaults) {
   const ProgramRun help = run("--help");
   EXPECT_EQ(help.exit_status, 0);

@@ -28,8 +28,9 @@ struct DriveOptions {
   double patience = 10.0;              ///< [s] A robot that people hold up so long goes to another random waypoint.
   std::optional<Rigid2> start;         ///< Pose in the map frame; random when there is none.
   std::vector<Eigen::Vector2d> waypoints;  ///< [m] In the map frame, visited in this order; none: random ones for ever.
-  LidarOptions lidar;                      ///< Of every lidar; T_base_lidar is where the first is mounted.
-  std::vector<Rigid2> more_lidars;         ///< T_base_lidar of further ones; each has noise of its own.
+  bool explore = false;             ///< Goes to frontiers of what its lidars saw until all is seen; without waypoints.
+  LidarOptions lidar;               ///< Of every lidar; T_base_lidar is where the first is mounted.
+  std::vector<Rigid2> more_lidars;  ///< T_base_lidar of further ones; each has noise of its own.
   RobotOptions robot;
   OdometryOptions odometry;
   PedestrianOptions pedestrians;   ///< By default there are none.
@@ -71,7 +72,7 @@ class DriveSimulation {
   DriveSimulation(const DriveSimulation&) = delete;
   DriveSimulation& operator=(const DriveSimulation&) = delete;
 
-  /// Drives on; std::nullopt when the drive is over.
+  /// Drives on; std::nullopt when the drive is over: after its duration, its last waypoint, or when all is explored.
   std::optional<DriveStep> next();
 
   /// Mounting pose of each lidar.
@@ -88,6 +89,7 @@ class DriveSimulation {
   void drive(double period);
   void follow(double period, int num_commands);
   void lookForOtherWay(double period);
+  void explore(const DriveStep& step);
   RobotSweep sweep(double command_period) const;
   std::vector<Mover> moversNear() const;
   std::vector<Circle> bodiesNear() const;
@@ -105,6 +107,7 @@ class DriveSimulation {
   std::optional<Path> way_;
   std::optional<PathFollower> follower_;
   std::vector<Eigen::Vector2d> visited_;
+  bool is_over_ = false;        // everything was explored
   std::size_t num_steps_ = 0;   // that were taken
   Eigen::Vector2d lingers_at_;  // where the robot was when it last got on
   double lingers_for_ = 0.0;    // [s]

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "map_matcher/simulation/exploration.hpp"
+#include "map_matcher/simulation/lidar.hpp"
 #include "map_matcher/simulation/path_planner.hpp"
 #include "map_matcher/simulation/random_numbers.hpp"
 #include "map_matcher/simulation/world.hpp"
@@ -20,6 +22,7 @@ struct ItineraryOptions {
   double min_waypoint_distance = 8.0;  ///< [m] Straight distance of a random waypoint from the last, where possible.
   std::optional<Rigid2> start;         ///< Pose in the map frame; random when there is none.
   std::vector<Eigen::Vector2d> waypoints;  ///< [m] In the map frame, visited in this order; none: random ones for ever.
+  bool explore = false;                    ///< Whether to go where nothing was seen yet; without waypoints.
 };
 
 /// A start, and a way to one waypoint after the other.
@@ -31,12 +34,19 @@ class Itinerary {
 
   const Rigid2& start() const { return start_; }
 
-  /// The way from the last waypoint to the next one, std::nullopt after the last.
-  std::optional<Path> nextWay();
+  /// Tells an exploration what was seen from the true pose of a lidar.
+  void see(const LidarScan& scan, const Rigid2& T_map_lidar);
 
-  /// A way for a robot that cannot get on: from where it is to another random waypoint, or again to the given one.
-  /// std::nullopt when there is none.
-  std::optional<Path> otherWay(const Eigen::Vector2d& position);
+  /// Whether there still is a reason to go on to this goal [m]: a frontier may be seen from afar.
+  bool isWorthwhile(const Eigen::Vector2d& goal) const { return !exploration_ || exploration_->isFrontier(goal); }
+
+  /// The way from the last waypoint to the next one; of an exploration from `position` [m]. std::nullopt after the last
+  /// waypoint, and when nothing is left to be seen.
+  std::optional<Path> nextWay(const Eigen::Vector2d& position);
+
+  /// A way for a robot that cannot get on to its goal [m]: from where it is to another waypoint or frontier, or again
+  /// to the given one. std::nullopt when there is none.
+  std::optional<Path> otherWay(const Eigen::Vector2d& position, const Eigen::Vector2d& goal);
 
  private:
   Rigid2 chooseStart();
@@ -46,6 +56,7 @@ class Itinerary {
   const World& world_;
   ItineraryOptions options_;
   PathPlanner planner_;
+  std::optional<Exploration> exploration_;
   RandomNumbers random_;
   Rigid2 start_;
   Eigen::Vector2d last_place_;    // the last random waypoint

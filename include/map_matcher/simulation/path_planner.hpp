@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -30,18 +31,35 @@ class PathPlanner {
   /// it.
   std::optional<Path> plan(const Eigen::Vector2d& start, const Eigen::Vector2d& goal) const;
 
+  /// The cheapest way to one of the places that `is_goal` names; std::nullopt when it names none that can be reached.
+  std::optional<Path> planToNearest(const Eigen::Vector2d& start,
+                                    const std::function<bool(const Eigen::Vector2d&)>& is_goal) const;
+
   /// The ways from everywhere to a goal with the required clearance; there are none from anywhere to another goal.
   WayField waysTo(const Eigen::Vector2d& goal) const;
 
   /// Area [m^2] that lies within the required clearance of the places: what somebody of this radius can cover.
   double coveredArea() const;
 
+  /// Cells of the planning grid.
+  const GridGeometry& geometry() const { return geometry_; }
+
+  /// Whether the required clearance is kept in the centre of a cell of the planning grid, which may lie outside it.
+  bool isFree(const Cell& cell) const { return geometry_.contains(cell) && costs_[indexOf(cell)] > 0.0F; }
+
   /// Centres of the cells to stand in that are connected with each other: the largest such region of the world. Empty
   /// when the robot fits nowhere.
   const std::vector<Eigen::Vector2d>& places() const { return places_; }
 
  private:
-  bool isFree(const Cell& cell) const { return geometry_.contains(cell) && costs_[indexOf(cell)] > 0.0F; }
+  /// What a search found.
+  struct Search {
+    std::vector<std::uint32_t> came_from;  // for each cell the index of the cell before it; WayField::kNone: not found
+    std::optional<Cell> reached;           // the goal
+  };
+  using IsGoal = std::function<bool(const Cell&)>;
+  using CostToGo = std::function<float(const Cell&)>;
+
   std::size_t indexOf(const Cell& cell) const {
     return static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(geometry_.width) +
            static_cast<std::size_t>(cell.x);
@@ -50,7 +68,8 @@ class PathPlanner {
   void measureCosts();
   void findPlaces();
   std::optional<Cell> freeCellNear(const Eigen::Vector2d& p_map) const;
-  std::vector<std::uint32_t> explore(const Cell& start, const std::optional<Cell>& goal) const;
+  Search explore(const Cell& start, const IsGoal& is_goal, const CostToGo& cost_to_go) const;
+  Path pathTo(const Cell& reached, const Cell& first, const std::vector<std::uint32_t>& came_from) const;
 
   const World& world_;
   double required_clearance_;

@@ -47,6 +47,8 @@ class World {
   void measureFreeSpace(const OccupancyGrid& grid, std::int8_t occupied_threshold);
 
   GridGeometry geometry_;
+  Rigid2 T_grid_map_;
+  Eigen::Matrix2d rotation_;           // of T_grid_map, which would be computed for every point
   int padded_width_ = 0;               // the grid's width and a border of one cell on either side
   std::vector<std::uint8_t> strides_;  // per cell of the padded grid: see world.cpp
   std::vector<float> free_space_;      // per cell of the padded grid: centre to centre of the nearest blocked cell
