@@ -9,31 +9,32 @@
 namespace map_matcher {
 namespace {
 
-constexpr double kPlanningMargin = 0.02;  // [m] that planned ways keep beyond the body
-constexpr std::size_t kGoals = 96;        // places that people walk to
-constexpr double kErrand = 7.0;           // [m] to the next goal, at most, where there is one
-constexpr int kGoalTrials = 20;           // goals that are looked at for one that is so near
-constexpr double kWidestLane = 0.6;       // [m] that people keep to the right of the planned way, at most
-constexpr double kArrived = 0.8;          // [m] from a goal
-constexpr double kWayAhead = 2.0;         // [m] of the planned way that are looked at
-constexpr double kSight = 2.5;            // [m] others farther away are not minded
-constexpr double kRelaxation = 0.3;       // [s] in which a velocity comes near the wanted one
-constexpr double kHeldUpShare = 0.3;      // of their speed: who is slower is held up
-constexpr double kPatience = 2.0;         // [s] before who is held up goes somewhere else
-constexpr double kEscape = 0.7;           // [m] of a way that have to be free for somebody who is held up
-constexpr double kTurnRate = 4.0;         // [rad/s] of somebody who walks
-constexpr double kTurnSpeed = 0.1;        // [m/s] slower people do not turn
-constexpr double kRobotNear = 0.6;        // [m] from the robot: who stands there steps aside
-constexpr double kStepAsideAfter = 1.5;   // [s]
-constexpr double kStepAsideSpeed = 0.5;   // [m/s]
-constexpr double kShoulders = 0.05;       // [m] between two people at first, at least
-constexpr double kHalfStance = 0.09;      // [m] from a foot to the middle
-constexpr double kLegVariation = 0.15;    // of the mean leg radius
-constexpr double kLongestPeriod = 0.1;    // [s] that people move on at once
-constexpr int kPlaceTrials = 300;         // random places that are looked at for a person
-constexpr int kGroupTrials = 20;          // random places that are looked at for a group
-constexpr std::size_t kLargestGroup = 5;  // people who stand together
-constexpr double kGroupSpacing = 0.7;     // [m] between neighbours in a group
+constexpr double kPlanningMargin = 0.02;     // [m] that planned ways keep beyond the body
+constexpr std::size_t kGoals = 96;           // places that people walk to
+constexpr double kErrand = 7.0;              // [m] to the next goal, at most, where there is one
+constexpr int kGoalTrials = 20;              // goals that are looked at for one that is so near
+constexpr double kWidestLane = 0.6;          // [m] that people keep to the right of the planned way, at most
+constexpr double kArrived = 0.8;             // [m] from a goal
+constexpr double kWayAhead = 2.0;            // [m] of the planned way that are looked at
+constexpr double kSight = 2.5;               // [m] others farther away are not minded
+constexpr double kRelaxation = 0.3;          // [s] in which a velocity comes near the wanted one
+constexpr double kHeldUpShare = 0.3;         // of their speed: who is slower is held up
+constexpr std::size_t kStepsToDecision = 2;  // nobody decides anew more often
+constexpr double kPatience = 2.0;            // [s] before who is held up goes somewhere else
+constexpr double kEscape = 0.7;              // [m] of a way that have to be free for somebody who is held up
+constexpr double kTurnRate = 4.0;            // [rad/s] of somebody who walks
+constexpr double kTurnSpeed = 0.1;           // [m/s] slower people do not turn
+constexpr double kRobotNear = 0.6;           // [m] from the robot: who stands there steps aside
+constexpr double kStepAsideAfter = 1.5;      // [s]
+constexpr double kStepAsideSpeed = 0.5;      // [m/s]
+constexpr double kShoulders = 0.05;          // [m] between two people at first, at least
+constexpr double kHalfStance = 0.09;         // [m] from a foot to the middle
+constexpr double kLegVariation = 0.15;       // of the mean leg radius
+constexpr double kLongestPeriod = 0.1;       // [s] that people move on at once
+constexpr int kPlaceTrials = 300;            // random places that are looked at for a person
+constexpr int kGroupTrials = 20;             // random places that are looked at for a group
+constexpr std::size_t kLargestGroup = 5;     // people who stand together
+constexpr double kGroupSpacing = 0.7;        // [m] between neighbours in a group
 
 double distanceToSweep(const RobotSweep& robot, const Eigen::Vector2d& p) {
   double nearest = std::numeric_limits<double>::infinity();
@@ -160,6 +161,7 @@ bool Pedestrians::place(const Eigen::Vector2d& position, double heading, bool st
                       goal,
                       random_.uniform(0.0, kWidestLane),
                       0.0,
+                      Eigen::Vector2d::Zero(),
                       Gait(position, heading, half_width)});
   return true;
 }
@@ -215,14 +217,18 @@ void Pedestrians::step(double period, const RobotSweep& robot) {
     move(i, bounded, robot);
     moveFeet(walkers_[i], bounded, robot);
   }
+  ++num_steps_;
   updatePeople();
 }
 
 /// One after the other: each sees where those before have gone, so that no two can go to the same place.
 void Pedestrians::move(std::size_t index, double period, const RobotSweep& robot) {
   Walker& walker = walkers_[index];
-  const Eigen::Vector2d wanted = walker.goal ? walk(index, period, robot) : stand(index, period, robot);
-  walker.body.velocity += (wanted - walker.body.velocity) * std::min(1.0, period / kRelaxation);
+  if ((num_steps_ + index) % kStepsToDecision == 0) {
+    const double since_last = period * static_cast<double>(kStepsToDecision);
+    walker.wanted = walker.goal ? walk(index, since_last, robot) : stand(index, since_last, robot);
+  }
+  walker.body.velocity += (walker.wanted - walker.body.velocity) * std::min(1.0, period / kRelaxation);
 
   // Straight on, or past what is in the way, or not at all.
   const double speed = walker.body.velocity.norm();

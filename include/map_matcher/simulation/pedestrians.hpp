@@ -79,6 +79,7 @@ class Pedestrians {
     std::optional<std::size_t> goal;  // who has none stands
     double lane;                      // [m] to the right of planned ways
     double held_up;                   // [s] for how long; of who stands: how long the robot has been near
+    Eigen::Vector2d wanted;           // velocity that was last decided on
     Gait gait;
   };
 
@@ -106,6 +107,7 @@ class Pedestrians {
   std::vector<std::optional<WayField>> ways_;  // to the goals; planned when somebody goes there
   std::vector<Walker> walkers_;
   PlaceIndex index_;
+  std::size_t num_steps_ = 0;
   std::vector<Person> people_;
 };
 
