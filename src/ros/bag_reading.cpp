@@ -28,6 +28,15 @@ std::string listed(const BagTopics& topics) {
   return text.empty() ? "nothing" : text;
 }
 
+std::string chooseTopic(const std::string& bag, const BagTopics& topics, const std::string& asked) {
+  for (const std::string& name : {asked, "/" + asked}) {
+    if (topics.count(name) > 0) {
+      return name;
+    }
+  }
+  throw BagError("bag '" + bag + "' has no topic '" + asked + "'; it has " + listed(topics));
+}
+
 std::string chooseScanTopic(const std::string& bag, const BagTopics& topics, const std::string& asked) {
   if (!asked.empty()) {
     const auto found = topics.count(asked) > 0 ? topics.find(asked) : topics.find("/" + asked);

@@ -18,16 +18,6 @@ const ros::Duration kTfHistory(30.0);  // transforms kept
 /// Times of a bag as times that never go back, which messages in a bag's order do not.
 ros::SteadyTime steady(const ros::Time& time) { return {time.sec, time.nsec}; }
 
-/// A topic of the bag by its name with or without the leading slash.
-std::string topicOf(const std::string& bag, const BagTopics& topics, const std::string& asked) {
-  for (const std::string& name : {asked, "/" + asked}) {
-    if (topics.count(name) > 0) {
-      return name;
-    }
-  }
-  throw BagError("bag '" + bag + "' has no topic '" + asked + "'; it has " + listed(topics));
-}
-
 std::vector<bool> marked(const std::vector<std::uint32_t>& beams, std::size_t num_beams) {
   std::vector<bool> marks(num_beams, false);
   for (const std::uint32_t beam : beams) {
@@ -48,10 +38,10 @@ class BagScrubbing {
     const BagTopics topics = topicsOf(bag_);
     result_.scan_topic = chooseScanTopic(request.bag, topics, request.scan_topic);
     for (const std::string& topic : request.options.detection_topics) {
-      detection_topics_.push_back(topicOf(request.bag, topics, topic));
+      detection_topics_.push_back(chooseTopic(request.bag, topics, topic));
     }
     if (!request.people_topic.empty()) {
-      readPeople(topicOf(request.bag, topics, request.people_topic));
+      readPeople(chooseTopic(request.bag, topics, request.people_topic));
     }
     if (!request.output.empty()) {
       openOutput(topics);

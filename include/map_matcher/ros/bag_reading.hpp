@@ -29,6 +29,9 @@ BagTopics topicsOf(const rosbag::Bag& bag);
 /// "/odom (nav_msgs/Odometry), /scan (sensor_msgs/LaserScan)"; "nothing" when there is none.
 std::string listed(const BagTopics& topics);
 
+/// A topic by its name with or without the leading slash. Throws BagError when there is none; `bag` names the bag.
+std::string chooseTopic(const std::string& bag, const BagTopics& topics, const std::string& asked);
+
 /// The topic of the scans: the one asked for, with or without its leading slash, or when that is empty the only one of
 /// type sensor_msgs/LaserScan. Throws BagError when there is none or no telling which. `bag` names the bag.
 std::string chooseScanTopic(const std::string& bag, const BagTopics& topics, const std::string& asked);
