@@ -102,6 +102,7 @@ void Trial::beginSession(const TrialStep& step) {
   session_start_ = step.time;
   last_map_.reset();
   travelled_ = 0.0;
+  last_odometry_.reset();
   // The session frame is the odometry frame at the first scan.
   true_alignment_ = step.truth ? std::optional<Rigid2>(*step.truth * step.T_odom_base.inverse()) : std::nullopt;
 }
