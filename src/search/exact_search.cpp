@@ -59,10 +59,10 @@ class Surroundings {
   /// Whether every pose of the node lies around the winner.
   bool holdAll(const Node& node) const {
     const int size = (1 << node.level) - 1;
-    const double dx = std::max(std::abs(node.first.x - winner_.translation.x),
-                               std::abs(node.first.x + size - winner_.translation.x));
-    const double dy = std::max(std::abs(node.first.y - winner_.translation.y),
-                               std::abs(node.first.y + size - winner_.translation.y));
+    const double dx =
+        std::max(std::abs(node.first.x - winner_.translation.x), std::abs(node.first.x + size - winner_.translation.x));
+    const double dy =
+        std::max(std::abs(node.first.y - winner_.translation.y), std::abs(node.first.y + size - winner_.translation.y));
     if (dx * dx + dy * dy > squared_distance_) {
       return false;
     }
@@ -133,8 +133,8 @@ class BlockSearch {
   /// Bound of what the deadline left of the last block [cells].
   std::int32_t unsearchedBound() const { return unsearched_bound_; }
 
-  /// Scores the initial nodes of a block and keeps those that reach `min_count`, the best first. False when the deadline
-  /// passed before that.
+  /// Scores the initial nodes of a block and keeps those that reach `min_count`, the best first. False when the
+  /// deadline passed before that.
   bool scoreRoots(Block& block, std::int32_t min_count) {
     block.roots.clear();
     const BlockShape shape{settings_.root_level};
@@ -259,9 +259,8 @@ class BlockSearch {
     const int shift = problem_.reference.shift(lower_left.level);
     const Cell& first = lower_left.first;
     std::array<std::int32_t, 4> counts;
-    if (!settings_.kernel.scoreChildren(problem_.reference.level(lower_left.level),
-                                        cellsOf(shape, lower_left.rotation), {first.x + shift, first.y + shift},
-                                        min_count, counts)) {
+    if (!settings_.kernel.scoreChildren(problem_.reference.level(lower_left.level), cellsOf(shape, lower_left.rotation),
+                                        {first.x + shift, first.y + shift}, min_count, counts)) {
       return;
     }
     const SearchWindow window = windowOf(lower_left.rotation, shape);
@@ -387,7 +386,8 @@ class ExactSearch {
     });
   }
 
-  /// Searches below all initial nodes that may hold the quarry. `unsearched` becomes a bound for what the deadline left.
+  /// Searches below all initial nodes that may hold the quarry. `unsearched` becomes a bound for what the deadline
+  /// left.
   bool hunt(Quarry& quarry, std::int32_t& unsearched) {
     std::atomic<std::int32_t> bound{0};
     const bool complete = forEachBlock([&](BlockSearch& search, Block& block) {
@@ -410,7 +410,8 @@ class ExactSearch {
     return complete;
   }
 
-  static bool searchBelow(BlockSearch& search, const Block& block, Quarry& quarry, std::atomic<std::int32_t>& unsearched) {
+  static bool searchBelow(BlockSearch& search, const Block& block, Quarry& quarry,
+                          std::atomic<std::int32_t>& unsearched) {
     if (search.searchBelow(block, quarry)) {
       return true;
     }

@@ -8,8 +8,8 @@
 namespace map_matcher {
 namespace {
 
-/// Added to half of the arc for the rounding of single precision, which is below 0.01 cells for kMaxSessionDiagonal. The
-/// arc is a whole number and a half, so that its ceiling, BlockShape::arc(), has room for twice this.
+/// Added to half of the arc for the rounding of single precision, which is below 0.01 cells for kMaxSessionDiagonal.
+/// The arc is a whole number and a half, so that its ceiling, BlockShape::arc(), has room for twice this.
 constexpr float kRounding = 0.02F;
 
 double farthestPoint(const SessionCells& session) {

@@ -44,7 +44,6 @@ std::vector<Cell> disc(double tolerance, int reach) {
 WidenedGrids::WidenedGrids(int width, int height, const std::vector<Cell>& walls, double tolerance, int top_level)
     : first_hit_{width, height}, last_hit_{-1, -1} {
   requireUsable(width, height, tolerance, top_level);
-  // A tolerance as large as the map makes every cell a hit; beyond that nothing changes within reach of the search.
   const double useful_tolerance = std::min<double>(tolerance, width + height);
   reach_ = static_cast<int>(std::floor(useful_tolerance + kRounding));
   const BlockShape top{top_level};

@@ -26,8 +26,8 @@ struct BlockShape {
   /// Edge of the squares in which session cells are put together [cells]. Larger ones are fewer, but widen the window.
   constexpr int merged() const { return level < 3 ? 1 : stride() / 4; }
 
-  /// Edge of the window [cells]. A session cell at c stands for cells in [c, c + window() - stride()], and a translation
-  /// moves them by up to stride() - 1 more.
+  /// Edge of the window [cells]. A session cell at c stands for cells in [c, c + window() - stride()], and a
+  /// translation moves them by up to stride() - 1 more.
   constexpr int window() const { return stride() + arc() + merged() - 1; }
 };
 

@@ -25,32 +25,32 @@ struct Distinction {
 struct ExactProblem {
   const WidenedGrids& reference;
   const RotationBlocks& rotations;
-  std::vector<SearchWindow> windows;    ///< Translations under each rotation; empty: all.
-  std::int32_t min_count = 1;           ///< Fewest matched cells that are an answer.
-  std::int32_t known_count = 0;         ///< Matched cells of a pose that is known to be among those searched: a start.
-  Distinction distinction;
-  std::int32_t runner_up_min_count = 1; ///< Fewest matched cells that are a runner-up,
+  std::vector<SearchWindow> windows;  ///< Translations under each rotation; empty: all.
+  std::int32_t min_count = 1;         ///< Fewest matched cells that are an answer.
+  std::int32_t known_count = 0;       ///< Matched cells of a pose that is known to be among those searched: a start.
+  Distinction distinction{};
+  std::int32_t runner_up_min_count = 1;      ///< Fewest matched cells that are a runner-up,
   std::int32_t runner_up_max_gap = 1 << 30;  ///< and by how many it may be below the best pose.
 };
 
 /// How a search is done; nothing here changes its answer, unless the deadline passes.
 struct ExactSettings {
-  int threads = 1;    ///< At least 1.
-  int root_level = 4; ///< Level of the initial nodes, at most that of the reference.
+  int threads = 1;     ///< At least 1.
+  int root_level = 4;  ///< Level of the initial nodes, at most that of the reference.
   Deadline deadline;
   ScoreKernel kernel;
 };
 
-/// What a search found and what it took. Poses are ranked by count; among equal ones the first by rotation, then y, then
-/// x, is the better one, so that the answer does not depend on the number of threads or the order of work.
+/// What a search found and what it took. Poses are ranked by count; among equal ones the first by rotation, then y,
+/// then x, is the better one, so that the answer does not depend on the number of threads or the order of work.
 struct ExactOutcome {
   std::optional<SearchPose> best;       ///< Nothing when no pose reaches min_count.
   std::optional<SearchPose> runner_up;  ///< The best pose elsewhere; nothing when none reaches the smallest count.
   std::int32_t upper_bound = 0;         ///< No pose has more matched cells.
   std::int32_t runner_up_bound = 0;     ///< No pose elsewhere has more matched cells; valid when `best` is proven.
-  bool best_proven = false;       ///< Whether `best` is the best of all, or nothing reaches min_count.
-  bool runner_up_proven = false;  ///< The same for the runner-up. Both are true unless the deadline passed.
-  bool stopped = false;           ///< Whether the stop token was set before the proofs were complete.
+  bool best_proven = false;             ///< Whether `best` is the best of all, or nothing reaches min_count.
+  bool runner_up_proven = false;        ///< The same for the runner-up. Both are true unless the deadline passed.
+  bool stopped = false;                 ///< Whether the stop token was set before the proofs were complete.
   std::int64_t nodes_scored = 0;
   std::int64_t nodes_expanded = 0;
   double root_time = 0.0;   ///< Scoring the initial nodes [s].

@@ -55,8 +55,9 @@ class WallArray {
 /// beyond it are clamped into it, so that a tile needs no range check.
 class PooledLevel {
  public:
-  /// Takes the values for x in [1 - 2^level, width), y alike, from `pooled`, whose cell (-shift, -shift) becomes (0, 0).
-  /// `pooled` has a margin of at least 2^level - 1 + shift. Throws std::invalid_argument for a level of more than 2 GiB.
+  /// Takes the values for x in [1 - 2^level, width), y alike, from `pooled`, whose cell (-shift, -shift) becomes (0,
+  /// 0). `pooled` has a margin of at least 2^level - 1 + shift. Throws std::invalid_argument for a level of more than 2
+  /// GiB.
   PooledLevel(int level, int width, int height, const WallArray& pooled, int shift = 0);
 
   int level() const { return level_; }

@@ -17,13 +17,14 @@ class RotationBlocks {
   /// that of eq. 4.2 with rotation_downsampling 1 does; else std::invalid_argument is thrown.
   RotationBlocks(const SessionCells& session, double first_angle, double step, int count);
 
-  int count() const { return count_; }                                             ///< Number of rotations.
-  double angle(int rotation) const { return first_angle_ + rotation * step_; }     ///< [rad]
-  double step() const { return step_; }                                            ///< [rad]
-  int numCells() const { return static_cast<int>(session_.points.size()); }        ///< [cells]
+  int count() const { return count_; }                                          ///< Number of rotations.
+  double angle(int rotation) const { return first_angle_ + rotation * step_; }  ///< [rad]
+  double step() const { return step_; }                                         ///< [rad]
+  int numCells() const { return static_cast<int>(session_.points.size()); }     ///< [cells]
 
   /// The cells of a node: at each of the block's rotations, session cell c lies in
-  /// [c, c + shape.window() - shape.stride()] of the cell that stands for it. On level 0 they are rotate(session, angle).
+  /// [c, c + shape.window() - shape.stride()] of the cell that stands for it. On level 0 they are rotate(session,
+  /// angle).
   WeightedCells cells(const BlockShape& shape, int first_rotation, CellMerger& merger) const;
 
  private:

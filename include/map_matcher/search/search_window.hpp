@@ -26,8 +26,8 @@ SearchWindow intersection(const SearchWindow& a, const SearchWindow& b);
 /// bounding box of the reference's walls. No translation outside it can match as many, so nothing is lost.
 SearchWindow reachableWindow(const PrecomputedGrids& reference, const RotatedCells& cells, int min_matches);
 
-/// The same for the cells of a node of the exact search: a window for the translations at which any pose of the node has
-/// at least `min_matches`.
+/// The same for the cells of a node of the exact search: a window for the translations at which any pose of the node
+/// has at least `min_matches`.
 SearchWindow reachableWindow(const WidenedGrids& reference, const BlockShape& shape, const WeightedCells& cells,
                              int min_matches);
 
