@@ -18,8 +18,6 @@ namespace {
 /// Initial nodes that are kept, 12 bytes each; those of further blocks are scored again when their turn comes.
 constexpr std::int64_t kMostStoredNodes = std::int64_t{1} << 23;
 
-constexpr int kFar = 1 << 28;  // [cells]
-
 /// Poses first + [0, 2^level)^2 of the rotations rotation + [0, 2^level).
 struct Node {
   std::int32_t bound;  // no pose of the node has more matched cells
@@ -36,7 +34,6 @@ struct Root {
 /// The initial nodes of a block of rotations.
 struct Block {
   int first_rotation = 0;
-  bool scored = false;  // whether `best_bound` is known
   bool stored = false;  // whether `roots` holds its nodes, the best first
   std::int32_t best_bound = 0;
   std::vector<Root> roots;
@@ -156,7 +153,6 @@ class BlockSearch {
       return std::make_tuple(-a.bound, a.first.y, a.first.x) < std::make_tuple(-b.bound, b.first.y, b.first.x);
     });
     block.best_bound = block.roots.empty() ? 0 : block.roots.front().bound;
-    block.scored = true;
     return true;
   }
 
@@ -180,9 +176,9 @@ class BlockSearch {
   /// Translations that any rotation of the node may have.
   SearchWindow windowOf(int first_rotation, const BlockShape& shape) const {
     if (problem_.windows.empty()) {
-      return {{-kFar, -kFar}, {kFar, kFar}};
+      return everywhere();
     }
-    SearchWindow hull{{kFar, kFar}, {-kFar, -kFar}};
+    SearchWindow hull{everywhere().last, everywhere().first};
     const int end = std::min(problem_.rotations.count(), first_rotation + shape.stride());
     for (int n = first_rotation; n < end; ++n) {
       const SearchWindow& window = problem_.windows[static_cast<std::size_t>(n)];
@@ -313,20 +309,12 @@ class ExactSearch {
   }
 
   ExactOutcome run() {
-    Stopwatch watch;
-    const bool roots_known = scoreRoots();
-    outcome_.root_time = watch.lap();
-    if (roots_known) {
-      std::sort(blocks_.begin(), blocks_.end(), [](const Block& a, const Block& b) {
-        return std::make_pair(-a.best_bound, a.first_rotation) < std::make_pair(-b.best_bound, b.first_rotation);
-      });
-    }
-    findBest(roots_known);
+    outcome_.upper_bound = outcome_.runner_up_bound = problem_.rotations.numCells();
+    findBest();
     if (outcome_.best && outcome_.best_proven) {
       findRunnerUp();
     }
     outcome_.runner_up_proven |= outcome_.best_proven && !outcome_.best;
-    outcome_.below_time = watch.lap();
     for (const BlockSearch& search : searches_) {
       outcome_.nodes_scored += search.nodesScored();
       outcome_.nodes_expanded += search.nodesExpanded();
@@ -336,15 +324,7 @@ class ExactSearch {
   }
 
  private:
-  /// Initial nodes that matter reach this: those that may hold the best pose, and those that may hold a runner-up.
-  std::int32_t rootThreshold() const {
-    const std::int32_t best = std::max(problem_.min_count, problem_.known_count);
-    return std::max(1, std::min(best, runnerUpThreshold(best)));
-  }
-
-  std::int32_t runnerUpThreshold(std::int32_t best) const {
-    return std::max(problem_.runner_up_min_count, best - problem_.runner_up_max_gap);
-  }
+  std::int32_t runnerUpThreshold(std::int32_t best) const { return std::max(1, best - problem_.runner_up_gap); }
 
   /// Calls work(search, block) for all blocks, each once, on all threads, until a call returns false; whether none did.
   template <typename Work>
@@ -369,10 +349,13 @@ class ExactSearch {
     return complete;
   }
 
-  bool scoreRoots() {
-    const std::int32_t threshold = rootThreshold();
+  /// Scores the initial nodes that reach `threshold` and sorts the blocks, the best first. False when the deadline
+  /// passed before that.
+  bool scoreRoots(std::int32_t threshold) {
+    Stopwatch watch;
+    root_threshold_ = threshold;
     std::atomic<std::int64_t> num_stored{0};
-    return forEachBlock([&](BlockSearch& search, Block& block) {
+    const bool complete = forEachBlock([&](BlockSearch& search, Block& block) {
       if (!search.scoreRoots(block, threshold)) {
         return false;
       }
@@ -384,14 +367,22 @@ class ExactSearch {
       }
       return true;
     });
+    if (complete) {
+      std::sort(blocks_.begin(), blocks_.end(), [](const Block& a, const Block& b) {
+        return std::make_pair(-a.best_bound, a.first_rotation) < std::make_pair(-b.best_bound, b.first_rotation);
+      });
+    }
+    outcome_.root_time += watch.lap();
+    return complete;
   }
 
   /// Searches below all initial nodes that may hold the quarry. `unsearched` becomes a bound for what the deadline
   /// left.
   bool hunt(Quarry& quarry, std::int32_t& unsearched) {
+    Stopwatch watch;
     std::atomic<std::int32_t> bound{0};
     const bool complete = forEachBlock([&](BlockSearch& search, Block& block) {
-      if (block.scored && block.best_bound < quarry.threshold()) {
+      if (block.best_bound < quarry.threshold()) {
         return true;
       }
       if (block.stored) {
@@ -407,6 +398,7 @@ class ExactSearch {
     });
     // The blocks are sorted: none that was not begun has a higher bound than one that was not finished.
     unsearched = bound;
+    outcome_.below_time += watch.lap();
     return complete;
   }
 
@@ -425,34 +417,37 @@ class ExactSearch {
     }
   }
 
-  void findBest(bool roots_known) {
-    const std::int32_t threshold = std::max(problem_.min_count, problem_.known_count);
-    outcome_.upper_bound = problem_.rotations.numCells();
-    if (!roots_known) {
+  void findBest() {
+    const bool known = problem_.known_count >= problem_.min_count;
+    const std::int32_t threshold = std::max({1, problem_.min_count, problem_.known_count});
+    // Where a pose is known, the initial nodes serve the search for the runner-up as well.
+    if (!scoreRoots(known ? std::min(threshold, runnerUpThreshold(threshold)) : threshold)) {
       return;
     }
     Quarry quarry(threshold);
     std::int32_t unsearched = 0;
     outcome_.best_proven = hunt(quarry, unsearched);
     outcome_.best = quarry.best();
-    const std::int32_t found = outcome_.best ? outcome_.best->count : std::max(1, threshold) - 1;
-    outcome_.upper_bound = std::max(found, unsearched);
+    outcome_.upper_bound = std::max(outcome_.best ? outcome_.best->count : threshold - 1, unsearched);
   }
 
   void findRunnerUp() {
-    const std::int32_t threshold = std::max(1, runnerUpThreshold(outcome_.best->count));
+    const std::int32_t threshold = runnerUpThreshold(outcome_.best->count);
+    if (threshold < root_threshold_ && !scoreRoots(threshold)) {
+      return;
+    }
     Quarry quarry(threshold, Surroundings(*outcome_.best, problem_));
     std::int32_t unsearched = 0;
     outcome_.runner_up_proven = hunt(quarry, unsearched);
     outcome_.runner_up = quarry.best();
-    const std::int32_t found = outcome_.runner_up ? outcome_.runner_up->count : threshold - 1;
-    outcome_.runner_up_bound = std::max(found, unsearched);
+    outcome_.runner_up_bound = std::max(outcome_.runner_up ? outcome_.runner_up->count : threshold - 1, unsearched);
   }
 
   const ExactProblem& problem_;
   const ExactSettings& settings_;
   std::vector<BlockSearch> searches_;
   std::vector<Block> blocks_;
+  std::int32_t root_threshold_ = 0;  // that the initial nodes at hand reach
   ExactOutcome outcome_;
 };
 

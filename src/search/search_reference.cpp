@@ -21,6 +21,11 @@ double nearestHalving(double resolution, double coarse_resolution) {
   return resolution * std::exp2(halvings);
 }
 
+int exactRootLevel(double resolution) {
+  constexpr double kNodeWidth = 0.32;  // [m]
+  return std::clamp(static_cast<int>(std::lround(std::log2(kNodeWidth / resolution))), 1, BlockShape::kMaxLevel);
+}
+
 SearchReference::SearchReference(const OccupancyGrid& reference, double resolution, const MatchOptions& options)
     : fine_resolution_(resolution),
       coarse_resolution_(nearestHalving(resolution, options.coarse_resolution)),
@@ -28,6 +33,12 @@ SearchReference::SearchReference(const OccupancyGrid& reference, double resoluti
       coarse_(poolWalls(resample(reference, coarse_resolution_), options, kCoarseRootLevel)) {
   const double offset = -options.reference_map_cell_offset * reference.resolution();
   T_reference_grid_ = reference.geometry().T_map_grid * Rigid2{offset, offset, 0.0};
+  if (options.search == "exact") {
+    const OccupancyGrid grid = resample(reference, resolution);
+    exact_.emplace(grid.width(), grid.height(),
+                   occupiedCells(grid, static_cast<std::int8_t>(options.occupied_threshold)),
+                   options.hit_tolerance / resolution, exactRootLevel(resolution));
+  }
 }
 
 }  // namespace map_matcher

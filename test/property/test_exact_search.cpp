@@ -47,8 +47,7 @@ struct RandomProblem {
     const int n = rotations->numCells();
     problem.min_count = test::randomInt(random, 1, n);
     problem.distinction = {test::randomReal(random, 0.0, 6.0), test::randomReal(random, 0.0, 2.0)};
-    problem.runner_up_min_count = test::randomInt(random, 1, n);
-    problem.runner_up_max_gap = test::randomInt(random, 0, n);
+    problem.runner_up_gap = test::randomInt(random, 0, n);
     if (random() % 3 == 0) {
       for (int k = 0; k < rotations->count(); ++k) {
         const Cell first{test::randomInt(random, -9, 15), test::randomInt(random, -9, 15)};

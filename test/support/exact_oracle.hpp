@@ -93,8 +93,7 @@ inline BestPoses tryAllPoses(const ExactProblem& problem, const SessionCells& se
         std::hypot(pose.translation.x - best.translation.x, pose.translation.y - best.translation.y);
     const double turn = std::abs(normalizeAngle((pose.rotation - best.rotation) * problem.rotations.step()));
     const bool elsewhere = distance > problem.distinction.distance || turn > problem.distinction.angle;
-    const bool enough =
-        pose.count >= std::max({1, problem.runner_up_min_count, best.count - problem.runner_up_max_gap});
+    const bool enough = pose.count >= std::max(1, best.count - problem.runner_up_gap);
     if (elsewhere && enough && (!result.runner_up || firstOfEqual(pose, *result.runner_up))) {
       result.runner_up = pose;
     }

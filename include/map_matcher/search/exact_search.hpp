@@ -25,12 +25,11 @@ struct Distinction {
 struct ExactProblem {
   const WidenedGrids& reference;
   const RotationBlocks& rotations;
-  std::vector<SearchWindow> windows;  ///< Translations under each rotation; empty: all.
+  std::vector<SearchWindow> windows{};  ///< Translations under each rotation; empty: all.
   std::int32_t min_count = 1;         ///< Fewest matched cells that are an answer.
   std::int32_t known_count = 0;       ///< Matched cells of a pose that is known to be among those searched: a start.
   Distinction distinction{};
-  std::int32_t runner_up_min_count = 1;      ///< Fewest matched cells that are a runner-up,
-  std::int32_t runner_up_max_gap = 1 << 30;  ///< and by how many it may be below the best pose.
+  std::int32_t runner_up_gap = 1 << 30;  ///< By how many cells a runner-up may at most be below the best pose.
 };
 
 /// How a search is done; nothing here changes its answer, unless the deadline passes.
@@ -45,7 +44,7 @@ struct ExactSettings {
 /// then x, is the better one, so that the answer does not depend on the number of threads or the order of work.
 struct ExactOutcome {
   std::optional<SearchPose> best;       ///< Nothing when no pose reaches min_count.
-  std::optional<SearchPose> runner_up;  ///< The best pose elsewhere; nothing when none reaches the smallest count.
+  std::optional<SearchPose> runner_up;  ///< The best pose elsewhere; nothing when the gap to it is larger.
   std::int32_t upper_bound = 0;         ///< No pose has more matched cells.
   std::int32_t runner_up_bound = 0;     ///< No pose elsewhere has more matched cells; valid when `best` is proven.
   bool best_proven = false;             ///< Whether `best` is the best of all, or nothing reaches min_count.

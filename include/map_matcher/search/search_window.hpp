@@ -19,6 +19,12 @@ struct SearchWindow {
   bool empty() const { return last.x < first.x || last.y < first.y; }
 };
 
+/// A window of all translations that a search can tell apart.
+constexpr SearchWindow everywhere() {
+  constexpr int kFar = 1 << 28;  // [cells]
+  return {{-kFar, -kFar}, {kFar, kFar}};
+}
+
 /// Translations that both windows hold.
 SearchWindow intersection(const SearchWindow& a, const SearchWindow& b);
 
