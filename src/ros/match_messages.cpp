@@ -21,6 +21,10 @@ std::uint8_t statusConstant(MatchStatus status) {
       return MapMatch::TOO_FEW_SESSION_CELLS;
     case MatchStatus::kSessionTooLarge:
       return MapMatch::SESSION_TOO_LARGE;
+    case MatchStatus::kNotCertified:
+      return MapMatch::NOT_CERTIFIED;
+    case MatchStatus::kAmbiguous:
+      return MapMatch::AMBIGUOUS;
     case MatchStatus::kStopped:
       break;
   }
@@ -56,6 +60,23 @@ MatchStage toMessage(const StageReport& stage) {
   return message;
 }
 
+void fillCertificate(MapMatch& message, const MatchResult& result) {
+  message.certified = result.certified;
+  message.replaced = result.replaced;
+  message.hit_cells = result.hit_cells;
+  message.hit_ratio = result.hit_ratio;
+  message.upper_bound = result.upper_bound;
+  message.has_runner_up = result.runner_up.has_value();
+  if (result.runner_up) {
+    const Rigid2& T_reference_session = result.runner_up->T_reference_session;
+    message.runner_up_x = T_reference_session.x;
+    message.runner_up_y = T_reference_session.y;
+    message.runner_up_yaw = T_reference_session.yaw;
+    message.runner_up_ratio = result.runner_up->ratio;
+  }
+  message.margin = result.margin;
+}
+
 /// Variance of a quantity that is spread evenly over an interval.
 double evenVariance(double interval) { return interval * interval / 12.0; }
 
@@ -75,6 +96,7 @@ MapMatch toMessage(const MatchResult& result) {
   message.matched_cells = result.matched_cells;
   message.total_cells = result.total_cells;
   message.ratio = result.ratio;
+  fillCertificate(message, result);
   for (const StageReport& stage : result.stages) {
     message.stages.push_back(toMessage(stage));
   }

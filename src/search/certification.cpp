@@ -13,10 +13,6 @@
 namespace map_matcher {
 namespace {
 
-/// Runner-ups are looked for down to this many times min_margin below the best ratio. Further down the search takes
-/// ever longer, to tell apart margins that are all large enough.
-constexpr double kMarginsSearched = 2.0;
-
 /// Moves to a better pose nearby, at most, before the exact search begins.
 constexpr int kMostClimbs = 20;
 
@@ -56,7 +52,7 @@ class Certification {
     problem_.windows = priorWindows();
     problem_.min_count = minCount(options.coarse.acceptance_ratio, n);
     problem_.distinction = {options.distinct_distance / cells_.resolution, options.distinct_angle};
-    problem_.runner_up_gap = static_cast<int>(std::ceil(kMarginsSearched * options.min_margin * n));
+    problem_.runner_up_gap = static_cast<int>(std::ceil(options.min_margin * n));
   }
 
   MatchResult run(const MatchResult& answer) {

@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
 
 #include "map_matcher/ros/match_messages.hpp"
 
@@ -34,6 +37,13 @@ MatchResult matchedResult() {
   result.matched_cells = 80;
   result.total_cells = 100;
   result.ratio = 0.8;
+  result.certified = true;
+  result.replaced = true;
+  result.hit_cells = 90;
+  result.hit_ratio = 0.9;
+  result.upper_bound = 0.95;
+  result.runner_up = RunnerUp{{3.0, 4.0, 0.5}, 0.7};
+  result.margin = 0.2;
   result.stages = {stage("coarse", true, 0.2, 0.02), stage("fine", true, 0.05, 0.004)};
   result.search_time = 0.6;
   result.reference_time = 0.7;
@@ -55,6 +65,17 @@ TEST(MatchMessages, CarryEverythingOfAResult) {
   EXPECT_EQ(message.matched_cells, 80);
   EXPECT_EQ(message.total_cells, 100);
   EXPECT_EQ(message.ratio, 0.8);
+  EXPECT_TRUE(message.certified);
+  EXPECT_TRUE(message.replaced);
+  EXPECT_EQ(message.hit_cells, 90);
+  EXPECT_EQ(message.hit_ratio, 0.9);
+  EXPECT_EQ(message.upper_bound, 0.95);
+  EXPECT_TRUE(message.has_runner_up);
+  EXPECT_EQ(message.runner_up_x, 3.0);
+  EXPECT_EQ(message.runner_up_y, 4.0);
+  EXPECT_EQ(message.runner_up_yaw, 0.5);
+  EXPECT_EQ(message.runner_up_ratio, 0.7);
+  EXPECT_EQ(message.margin, 0.2);
   EXPECT_EQ(message.search_time, 0.6);
   EXPECT_EQ(message.reference_time, 0.7);
   ASSERT_EQ(message.stages.size(), 2U);
@@ -88,12 +109,21 @@ TEST(MatchMessages, HaveTheIdentityWhenNothingMatched) {
 }
 
 TEST(MatchMessages, NameEachStatusAsTheSearchDoes) {
-  for (const MatchStatus status : {MatchStatus::kMatched, MatchStatus::kBelowAcceptanceRatio, MatchStatus::kNoReference,
-                                   MatchStatus::kEmptyReference, MatchStatus::kTooFewSessionCells,
-                                   MatchStatus::kSessionTooLarge, MatchStatus::kStopped}) {
+  const std::vector<std::pair<MatchStatus, std::uint8_t>> statuses{
+      {MatchStatus::kMatched, MapMatch::MATCHED},
+      {MatchStatus::kBelowAcceptanceRatio, MapMatch::BELOW_ACCEPTANCE_RATIO},
+      {MatchStatus::kNoReference, MapMatch::NO_REFERENCE},
+      {MatchStatus::kEmptyReference, MapMatch::EMPTY_REFERENCE},
+      {MatchStatus::kTooFewSessionCells, MapMatch::TOO_FEW_SESSION_CELLS},
+      {MatchStatus::kSessionTooLarge, MapMatch::SESSION_TOO_LARGE},
+      {MatchStatus::kStopped, MapMatch::STOPPED},
+      {MatchStatus::kNotCertified, MapMatch::NOT_CERTIFIED},
+      {MatchStatus::kAmbiguous, MapMatch::AMBIGUOUS},
+  };
+  for (const auto& [status, constant] : statuses) {
     MatchResult result;
     result.status = status;
-    EXPECT_EQ(toMessage(result).status, static_cast<std::uint8_t>(status));
+    EXPECT_EQ(toMessage(result).status, constant);
     EXPECT_EQ(toMessage(result).status_text, toString(status));
   }
 }

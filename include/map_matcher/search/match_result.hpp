@@ -66,7 +66,7 @@ struct MatchResult {
   int hit_cells = 0;  ///< Session cells within hit_tolerance of a wall at the pose [cells]; 0 without exact search.
   double hit_ratio = 0.0;             ///< hit_cells / total_cells, which the exact search makes as large as can be.
   double upper_bound = 1.0;           ///< No pose has a larger hit ratio; equal to hit_ratio when certified.
-  std::optional<RunnerUp> runner_up;  ///< The best place elsewhere, unless it is worse by more than twice min_margin.
+  std::optional<RunnerUp> runner_up;  ///< The best place elsewhere, unless it is worse by more than min_margin.
   double margin = 0.0;                ///< hit_ratio less that of the runner-up; without one, margin is at least this.
 
   std::vector<StageReport> stages;  ///< Coarse, fine, exact; empty when no stage ran.
