@@ -33,7 +33,7 @@ Verdict notCertified(const MatchResult& result, const MatchOptions& options) {
   std::ostringstream reason;
   reason << "not proven within exact_deadline = " << options.exact_deadline << " s: ";
   if (result.hit_cells == 0) {
-    reason << "no pose with a ratio of " << options.coarse.acceptance_ratio << " was found so far";
+    reason << "no pose with a ratio of " << smallestHitRatio(options) << " was found so far";
   } else {
     reason << "so far " << hitsText(result, options);
   }
@@ -47,7 +47,7 @@ Verdict notCertified(const MatchResult& result, const MatchOptions& options) {
 
 Verdict belowAcceptanceRatio(const MatchResult& result, const MatchOptions& options) {
   std::ostringstream reason;
-  reason << "no pose puts " << options.coarse.acceptance_ratio << " of the " << result.total_cells
+  reason << "no pose puts " << smallestHitRatio(options) << " of the " << result.total_cells
          << " session cells within " << options.hit_tolerance << " m of walls of the reference map";
   return {MatchStatus::kBelowAcceptanceRatio, reason.str()};
 }
@@ -62,7 +62,7 @@ Verdict ambiguous(const MatchResult& result, const MatchOptions& options) {
 }  // namespace
 
 Verdict judge(const MatchResult& result, const MatchOptions& options) {
-  if (result.certified && result.hit_cells < minCount(options.coarse.acceptance_ratio, result.total_cells)) {
+  if (result.certified && result.hit_cells < minCount(smallestHitRatio(options), result.total_cells)) {
     return belowAcceptanceRatio(result, options);
   }
   if (result.runner_up && result.hit_ratio - result.runner_up->ratio < options.min_margin) {

@@ -50,7 +50,7 @@ class Certification {
         problem_{reference.exact(), rotations_} {
     const int n = rotations_.numCells();
     problem_.windows = priorWindows();
-    problem_.min_count = minCount(options.coarse.acceptance_ratio, n);
+    problem_.min_count = minCount(smallestHitRatio(options), n);
     problem_.distinction = {options.distinct_distance / cells_.resolution, options.distinct_angle};
     problem_.runner_up_gap = static_cast<int>(std::ceil(options.min_margin * n));
   }

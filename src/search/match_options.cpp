@@ -7,6 +7,10 @@ namespace map_matcher {
 
 int minCount(double ratio, int num_cells) { return std::max(1, static_cast<int>(std::ceil(ratio * num_cells - 1e-9))); }
 
+double smallestHitRatio(const MatchOptions& options) {
+  return std::max(options.coarse.acceptance_ratio, options.min_hit_ratio);
+}
+
 ParameterList parametersOf(MatchOptions& options) {
   return {
       {"search",
@@ -33,6 +37,9 @@ ParameterList parametersOf(MatchOptions& options) {
       {"hit_tolerance", "m",
        "Exact search: a session cell counts as on a wall up to this far from one; about the noise of the scans.",
        &options.hit_tolerance, 0.0, 1.0},
+      {"min_hit_ratio", "",
+       "Exact search: smallest share of session cells that near to walls that is an answer.", &options.min_hit_ratio,
+       0.0, 1.0},
       {"min_margin", "",
        "Exact search: by how much the share at the best place has to exceed that at the best place elsewhere.",
        &options.min_margin, 0.0, 1.0},

@@ -138,7 +138,7 @@ TEST(Certification, AStrangerIsProvenToFitNowhere) {
   EXPECT_EQ(result.status, MatchStatus::kBelowAcceptanceRatio) << result.reason;
   EXPECT_TRUE(result.certified);
   EXPECT_FALSE(result.runner_up);
-  EXPECT_LT(result.upper_bound, MatchOptions{}.coarse.acceptance_ratio);
+  EXPECT_LT(result.upper_bound, MatchOptions{}.min_hit_ratio);
 }
 
 TEST(Certification, WithoutTimeIsNoMatchAndSaysHowMuchBetterAnotherMayBe) {
@@ -157,7 +157,7 @@ TEST(Certification, WithoutTimeIsNoMatchAndSaysHowMuchBetterAnotherMayBe) {
 TEST(Certification, GivesTheSameAnswerWithAnyNumberOfThreads) {
   const Scene scene(7);
   MatchOptions options;
-  options.min_margin = 0.3;  // so that there is a runner-up
+  options.min_margin = 0.7;  // so that there is a runner-up
   const MatchResult alone = scene.match(options);
   ASSERT_TRUE(alone.runner_up);
   for (const int threads : {0, 2, 3}) {
@@ -211,7 +211,7 @@ OccupancyGrid noise(std::uint32_t seed, int size) {
 class Noise : public testing::Test {
  protected:
   Noise() {
-    options_.coarse.acceptance_ratio = 0.2;
+    options_.coarse.acceptance_ratio = options_.min_hit_ratio = 0.2;
     options_.exact_deadline = 3600.0;
     options_.hit_tolerance = 0.0;
   }

@@ -15,7 +15,7 @@ struct Verdict {
   std::string reason;  ///< One sentence with the figures, and both candidates where they are at odds.
 };
 
-/// kMatched when the result is certified, its hit ratio reaches the acceptance ratio and its margin min_margin; else
+/// kMatched when the result is certified, its hit ratio reaches smallestHitRatio() and its margin min_margin; else
 /// the first of these that fails. `result` has an answer of an exact search in it. A wrong pose that looks right is
 /// worse than none: what is not proven is not accepted.
 Verdict judge(const MatchResult& result, const MatchOptions& options);

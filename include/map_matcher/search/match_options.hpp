@@ -24,6 +24,7 @@ struct MatchOptions {
   StageOptions coarse{2.0, 0.5};
   StageOptions fine{1.0, 0.1};
   double hit_tolerance = 0.05;  ///< [m] Exact: farthest that a session cell may be off a wall; 0 = on it.
+  double min_hit_ratio = 0.6;       ///< Exact: smallest share of hits, beside the acceptance ratio, that is an answer.
   double exact_deadline = 2.0;  ///< [s] Exact: longest time for the proof.
   double min_margin = 0.1;      ///< Exact: by how much the best ratio has to exceed that of the best place elsewhere.
   double distinct_distance = 1.0;  ///< [m] Exact: places farther apart are different ones,
@@ -35,6 +36,10 @@ struct MatchOptions {
   double session_map_cell_offset = 0.0;    ///< [cells] 0.5 for maps of slam_gmapping, which draws them half a cell off.
   double reference_map_cell_offset = 0.0;  ///< [cells] The same for the reference map.
 };
+
+/// Smallest share of hits that the exact search takes for an answer: the larger one of coarse.acceptance_ratio and
+/// min_hit_ratio. The acceptance ratio is meant for cells on walls, and more of them lie near walls than on them.
+double smallestHitRatio(const MatchOptions& options);
 
 /// Fewest of `num_cells` that are a share of `ratio`, at least 1.
 int minCount(double ratio, int num_cells);
