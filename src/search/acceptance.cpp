@@ -47,8 +47,8 @@ Verdict notCertified(const MatchResult& result, const MatchOptions& options) {
 
 Verdict belowAcceptanceRatio(const MatchResult& result, const MatchOptions& options) {
   std::ostringstream reason;
-  reason << "no pose puts " << smallestHitRatio(options) << " of the " << result.total_cells
-         << " session cells within " << options.hit_tolerance << " m of walls of the reference map";
+  reason << "no pose puts " << smallestHitRatio(options) << " of the " << result.total_cells << " session cells within "
+         << options.hit_tolerance << " m of walls of the reference map";
   return {MatchStatus::kBelowAcceptanceRatio, reason.str()};
 }
 

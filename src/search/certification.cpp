@@ -8,6 +8,7 @@
 
 #include "map_matcher/search/acceptance.hpp"
 #include "map_matcher/search/exact_search.hpp"
+#include "map_matcher/search/pose_refiner.hpp"
 #include "map_matcher/search/stopwatch.hpp"
 
 namespace map_matcher {
@@ -189,6 +190,9 @@ class Certification {
     const Verdict verdict = judge(result_, options_);
     result_.status = verdict.status;
     result_.reason = verdict.reason;
+    if (result_.matched()) {
+      refinePose(*best);
+    }
   }
 
   /// Takes a pose as the answer.
@@ -197,13 +201,29 @@ class Certification {
     result_.refined = true;
     result_.hit_cells = pose.count;
     result_.hit_ratio = ratio(pose.count);
-    result_.matched_cells = 0;
-    const RotatedCells rotated = rotate(cells_, rotations_.angle(pose.rotation));
+    countMatches(centrePose(pose));
+  }
+
+  /// The strict count at a pose, of session cells whose centres fall into walls.
+  void countMatches(const CentrePose& pose) {
     const PooledLevel& walls = reference_.fine().level(0);
-    for (std::size_t k = 0; k < rotated.x.size(); ++k) {
-      result_.matched_cells += walls.at(rotated.x[k] + pose.translation.x, rotated.y[k] + pose.translation.y);
+    const Rigid2 T{pose.position.x() / cells_.resolution, pose.position.y() / cells_.resolution, pose.angle};
+    const Eigen::Matrix2d R = T.rotation();
+    result_.matched_cells = 0;
+    for (const Eigen::Vector2d& p : cells_.points) {
+      const Eigen::Vector2d cell = (R * p + T.translation()).array().floor();
+      result_.matched_cells += walls.at(static_cast<int>(cell.x()), static_cast<int>(cell.y()));
     }
     result_.ratio = ratio(result_.matched_cells);
+  }
+
+  /// Moves the answer from whole cells to where the session lies best (the maps' walls as they are, not the wider
+  /// hits).
+  void refinePose(const SearchPose& pose) {
+    const RefinedPose refined = refine(reference_.fine(), cells_, centrePose(pose), options_.hit_tolerance);
+    result_.T_reference_session = frames_.mapPose(refined.pose, cells_.centre);
+    result_.covariance = frames_.mapCovariance(refined.covariance, refined.pose.angle, cells_.centre);
+    countMatches(refined.pose);
   }
 
   bool elsewhere(const SearchPose& a, const SearchPose& b) const {
@@ -212,10 +232,12 @@ class Certification {
     return distance > problem_.distinction.distance || turn > problem_.distinction.angle;
   }
 
-  Rigid2 mapPose(const SearchPose& pose) const {
+  CentrePose centrePose(const SearchPose& pose) const {
     const Eigen::Vector2d cells(pose.translation.x, pose.translation.y);
-    return frames_.mapPose({rotations_.angle(pose.rotation), cells * cells_.resolution}, cells_.centre);
+    return {rotations_.angle(pose.rotation), cells * cells_.resolution};
   }
+
+  Rigid2 mapPose(const SearchPose& pose) const { return frames_.mapPose(centrePose(pose), cells_.centre); }
 
   double ratio(int count) const { return static_cast<double>(count) / rotations_.numCells(); }
 

@@ -19,6 +19,18 @@ Rigid2 SearchFrames::mapPose(const CentrePose& pose, const Eigen::Vector2d& cent
   return T_reference_grid_ * Rigid2{t.x(), t.y(), pose.angle} * T_session_grid_.inverse();
 }
 
+Eigen::Matrix3d SearchFrames::mapCovariance(const Eigen::Matrix3d& covariance, double angle,
+                                            const Eigen::Vector2d& centre) const {
+  // The origin of the session map frame lies `arm` from the centre; turning about the centre moves it along.
+  const Eigen::Vector2d arm = Rigid2{0.0, 0.0, T_reference_grid_.yaw + angle} *
+                              Eigen::Vector2d(T_session_grid_.inverse().translation() - centre);
+  Eigen::Matrix3d jacobian = Eigen::Matrix3d::Identity();
+  jacobian.topLeftCorner<2, 2>() = T_reference_grid_.rotation();
+  jacobian(0, 2) = -arm.y();
+  jacobian(1, 2) = arm.x();
+  return jacobian * covariance * jacobian.transpose();
+}
+
 CentrePose SearchFrames::centrePose(const Rigid2& T_reference_session, const Eigen::Vector2d& centre) const {
   const Rigid2 T_grids = T_reference_grid_.inverse() * T_reference_session * T_session_grid_;
   return {T_grids.yaw, T_grids * centre};

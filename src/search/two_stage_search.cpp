@@ -239,6 +239,10 @@ class TwoStageSearch {
 
   void answer(const Stage& stage, bool refined) {
     result_.T_reference_session = frames_.mapPose(poseOf(stage), stage.session.centre);
+    const Eigen::Vector3d intervals(stage.report.resolution, stage.report.resolution, stage.report.rotation_step);
+    const Eigen::Matrix3d covariance =
+        Eigen::Vector3d(intervals.array().square() / 12.0).asDiagonal();  // evenly spread
+    result_.covariance = frames_.mapCovariance(covariance, poseOf(stage).angle, stage.session.centre);
     result_.refined = refined;
     result_.matched_cells = stage.report.matched_cells;
     result_.total_cells = stage.report.total_cells;

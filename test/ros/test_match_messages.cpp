@@ -33,6 +33,7 @@ MatchResult matchedResult() {
   result.status = MatchStatus::kMatched;
   result.reason = "80 of 100 cells";
   result.T_reference_session = {1.0, -2.0, M_PI / 2.0};
+  result.covariance << 1.0, 0.1, 0.2, 0.1, 2.0, 0.3, 0.2, 0.3, 3.0;
   result.refined = true;
   result.matched_cells = 80;
   result.total_cells = 100;
@@ -61,6 +62,9 @@ TEST(MatchMessages, CarryEverythingOfAResult) {
   EXPECT_EQ(message.yaw, M_PI / 2.0);
   EXPECT_EQ(message.T_reference_session.translation.x, 1.0);
   EXPECT_NEAR(message.T_reference_session.rotation.z, std::sqrt(0.5), 1e-12);
+  EXPECT_EQ(message.covariance[1], 0.1);
+  EXPECT_EQ(message.covariance[5], 0.3);
+  EXPECT_EQ(message.covariance[8], 3.0);
   EXPECT_TRUE(message.refined);
   EXPECT_EQ(message.matched_cells, 80);
   EXPECT_EQ(message.total_cells, 100);
@@ -128,26 +132,21 @@ TEST(MatchMessages, NameEachStatusAsTheSearchDoes) {
   }
 }
 
-TEST(MatchMessages, PlaceTheRobotWithTheUncertaintyOfTheFineStage) {
-  const auto pose = robotPose(toMessage(matchedResult()), {3.0, 0.5, -M_PI / 2.0});
+TEST(MatchMessages, PlaceTheRobotWithTheUncertaintyOfTheMatch) {
+  MatchResult result = matchedResult();
+  result.covariance = Eigen::Vector3d(0.01, 0.02, 0.001).asDiagonal();
+
+  const auto pose = robotPose(toMessage(result), {3.0, 0.5, -M_PI / 2.0});
 
   EXPECT_NEAR(pose.pose.position.x, 0.5, 1e-12);
   EXPECT_NEAR(pose.pose.position.y, 1.0, 1e-12);
   EXPECT_NEAR(pose.pose.orientation.w, 1.0, 1e-12);
-  EXPECT_NEAR(pose.covariance[0], 0.05 * 0.05 / 12.0, 1e-12);
-  EXPECT_NEAR(pose.covariance[7], 0.05 * 0.05 / 12.0, 1e-12);
-  EXPECT_NEAR(pose.covariance[35], 0.004 * 0.004 / 12.0, 1e-12);
-}
-
-TEST(MatchMessages, PlaceTheRobotWithTheUncertaintyOfTheCoarseStageWhenItsAnswerStands) {
-  MatchResult result = matchedResult();
-  result.refined = false;
-  result.stages[1].answered = false;
-
-  const auto pose = robotPose(toMessage(result), {});
-
-  EXPECT_NEAR(pose.covariance[0], 0.2 * 0.2 / 12.0, 1e-12);
-  EXPECT_NEAR(pose.covariance[35], 0.02 * 0.02 / 12.0, 1e-12);
+  // The robot is (-0.5, 3) m from the origin of the session map, along the axes of the reference map.
+  EXPECT_NEAR(pose.covariance[0], 0.01 + 9.0 * 0.001, 1e-12);
+  EXPECT_NEAR(pose.covariance[7], 0.02 + 0.25 * 0.001, 1e-12);
+  EXPECT_NEAR(pose.covariance[1], 1.5 * 0.001, 1e-12);
+  EXPECT_NEAR(pose.covariance[5], -3.0 * 0.001, 1e-12);
+  EXPECT_NEAR(pose.covariance[35], 0.001, 1e-12);
 }
 
 }  // namespace

@@ -67,6 +67,9 @@ TEST(Certification, ProvesTheRightPlaceAndHowFarAheadOfAllOthersItIs) {
     EXPECT_GE(result.hit_ratio, result.ratio);
     EXPECT_DOUBLE_EQ(result.upper_bound, result.hit_ratio);
     EXPECT_GE(result.margin, MatchOptions{}.min_margin);
+    EXPECT_GT(result.covariance(0, 0), 0.0);
+    EXPECT_LT(result.covariance(0, 0), kResolution * kResolution);
+    EXPECT_LT(result.covariance(2, 2), 0.01 * 0.01);
   }
 }
 

@@ -295,7 +295,8 @@ TEST(MapMatcher, SessionLargerThanTheReferenceIsAnswered) {
   const OccupancyGrid large = test::randomBuilding(random, 20.0, 12.0, kResolution);
   const OccupancyGrid part = test::cutSession(large, {10.0, 6.0}, 7.0, {}, kResolution);
   MatchOptions options;
-  options.coarse.acceptance_ratio = options.min_hit_ratio = 0.09;  // of what the session holds, the reference has no more
+  options.coarse.acceptance_ratio = options.min_hit_ratio =
+      0.09;  // of what the session holds, the reference has no more
   options.min_margin = 0.02;
   MapMatcher matcher(options);
   matcher.setReference(part);

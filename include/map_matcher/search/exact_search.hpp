@@ -26,8 +26,8 @@ struct ExactProblem {
   const WidenedGrids& reference;
   const RotationBlocks& rotations;
   std::vector<SearchWindow> windows{};  ///< Translations under each rotation; empty: all.
-  std::int32_t min_count = 1;         ///< Fewest matched cells that are an answer.
-  std::int32_t known_count = 0;       ///< Matched cells of a pose that is known to be among those searched: a start.
+  std::int32_t min_count = 1;           ///< Fewest matched cells that are an answer.
+  std::int32_t known_count = 0;         ///< Matched cells of a pose that is known to be among those searched: a start.
   Distinction distinction{};
   std::int32_t runner_up_gap = 1 << 30;  ///< By how many cells a runner-up may at most be below the best pose.
 };

@@ -2,6 +2,7 @@
 /// The answer of a match: a pose, or the reason why there is none, and what it took.
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -56,10 +57,14 @@ struct MatchResult {
   std::string reason;          ///< One sentence with the figures behind the status.
   Rigid2 T_reference_session;  ///< p_reference = T_reference_session * p_session; valid when kMatched. When
                                ///< kNotCertified or kAmbiguous: the best pose so far, not to be relied on.
-  bool refined = false;        ///< Whether the pose is of the map's own resolution; false: the coarse answer stands.
-  int matched_cells = 0;       ///< Session cells on walls of the reference at the pose [cells].
-  int total_cells = 0;         ///< Session cells looked at [cells].
-  double ratio = 0.0;          ///< matched_cells / total_cells.
+  /// Of (x, y, yaw) of T_reference_session [m, m, rad], when kMatched: from the curvature around the refined pose, or
+  /// without exact search that of a cell and a rotation step. It holds what the drawing of both maps in cells leaves
+  /// open, nothing of bent maps.
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  bool refined = false;   ///< Whether the pose is of the map's own resolution; false: the coarse answer stands.
+  int matched_cells = 0;  ///< Session cells on walls of the reference at the pose [cells].
+  int total_cells = 0;    ///< Session cells looked at [cells].
+  double ratio = 0.0;     ///< matched_cells / total_cells.
 
   bool certified = false;  ///< Whether it is proven that no pose has more hits; false without exact search.
   bool replaced = false;   ///< Whether the exact search found a better place than the two stages.

@@ -38,6 +38,9 @@ class SearchFrames {
   /// T_reference_session for a pose of the session's `centre` [m, session grid frame].
   Rigid2 mapPose(const CentrePose& pose, const Eigen::Vector2d& centre) const;
 
+  /// Covariance of (x, y, yaw) of T_reference_session [m, m, rad] from that of a pose of the session's `centre`.
+  Eigen::Matrix3d mapCovariance(const Eigen::Matrix3d& covariance, double angle, const Eigen::Vector2d& centre) const;
+
   /// The pose of the session's `centre` [m, session grid frame] at T_reference_session.
   CentrePose centrePose(const Rigid2& T_reference_session, const Eigen::Vector2d& centre) const;
 
