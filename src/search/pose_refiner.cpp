@@ -55,12 +55,23 @@ class Refinement {
  private:
   static DistanceField fieldAround(const PrecomputedGrids& reference, const SessionCells& session,
                                    const CentrePose& pose, double scale) {
-    const double reach = 0.5 * session.diagonal + (3.0 + kFarthestOfTolerance) * scale + 2.0;
+    Eigen::Vector2d low(0.0, 0.0);
+    Eigen::Vector2d high(0.0, 0.0);
+    const Eigen::Matrix2d R = Rigid2{0.0, 0.0, pose.angle}.rotation();
+    for (const Eigen::Vector2d& p : session.points) {
+      const Eigen::Vector2d arm = R * p;
+      low = low.cwiseMin(arm);
+      high = high.cwiseMax(arm);
+    }
+    const double room = (3.0 + kFarthestOfTolerance) * scale + 4.0;  // for the moves, and for walls beside it
     const Eigen::Vector2d middle = pose.position / session.resolution;
-    const Cell first{std::max(-2, static_cast<int>(middle.x() - reach)),
-                     std::max(-2, static_cast<int>(middle.y() - reach))};
-    const Cell last{std::min(reference.width() + 1, static_cast<int>(middle.x() + reach)),
-                    std::min(reference.height() + 1, static_cast<int>(middle.y() + reach))};
+    const Eigen::Vector2d first_wanted = (middle + low).array() - room;
+    const Eigen::Vector2d last_wanted = (middle + high).array() + room;
+    const double beside = kFarthestOfTolerance * scale + 4.0;  // beyond the map there are no walls
+    const Cell first{static_cast<int>(std::clamp(first_wanted.x(), -beside, reference.width() + beside)),
+                     static_cast<int>(std::clamp(first_wanted.y(), -beside, reference.height() + beside))};
+    const Cell last{static_cast<int>(std::clamp(last_wanted.x(), -beside, reference.width() + beside)),
+                    static_cast<int>(std::clamp(last_wanted.y(), -beside, reference.height() + beside))};
     return {reference, first, last, kFarthestOfTolerance * scale};
   }
 

@@ -20,8 +20,13 @@ struct Histogram {
 };
 
 Histogram histogramOf(const std::vector<std::int16_t>& values, const Runs& runs) {
-  const auto [smallest, largest] = std::minmax_element(values.begin(), values.end());
-  Histogram histogram{*smallest, std::vector<int>(static_cast<std::size_t>(*largest - *smallest + 1), 0)};
+  std::int16_t smallest = values.front();
+  std::int16_t largest = values.front();
+  for (const std::int16_t value : values) {  // compilers turn this into vector instructions, not std::minmax_element
+    smallest = value < smallest ? value : smallest;
+    largest = value > largest ? value : largest;
+  }
+  Histogram histogram{smallest, std::vector<int>(static_cast<std::size_t>(largest - smallest + 1), 0)};
   auto value = values.begin();
   for (const WeightedCells::Run& run : runs) {
     for (const auto end = value + static_cast<std::ptrdiff_t>(run.size); value != end; ++value) {

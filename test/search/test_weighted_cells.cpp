@@ -45,6 +45,17 @@ TEST(CellMerger, BlocksOfOneCellKeepEveryCell) {
   EXPECT_EQ(merged.runs[0].weight, 1);
 }
 
+TEST(CellMerger, LeavesCellsVeryFarApartAsTheyAre) {
+  CellMerger merger;
+  const RotatedCells cells{{-15000, 15000, 15000}, {-15000, 15000, 15001}};
+
+  const WeightedCells merged = merger.merge(cells, 2);
+
+  EXPECT_EQ(merged.cells.x, cells.x);
+  EXPECT_EQ(merged.cells.y, cells.y);
+  EXPECT_EQ(merged.total, 3);
+}
+
 TEST(CellMerger, CountsAsOneByOneInCallsOfAnySize) {
   CellMerger merger;
   for (std::uint32_t seed = 0; seed < 200; ++seed) {
@@ -52,7 +63,7 @@ TEST(CellMerger, CountsAsOneByOneInCallsOfAnySize) {
     std::mt19937 random(seed);
     const int block = 1 << test::randomInt(random, 1, 5);
     const RotatedCells cells =
-        test::randomRotatedCells(random, test::randomInt(random, 1, 15000), test::randomInt(random, 1, 3000));
+        test::randomRotatedCells(random, test::randomInt(random, 1, 3000), test::randomInt(random, 1, 3000));
     Weights expected;
     for (std::size_t k = 0; k < cells.x.size(); ++k) {
       const auto lower = [block](int value) { return static_cast<int>(std::floor(1.0 * value / block)) * block; };

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <vector>
 
 #include "map_matcher/search/precomputed_grids.hpp"
@@ -30,12 +29,15 @@ class DistanceField {
   Sample at(const Eigen::Vector2d& position) const;
 
  private:
-  using Node = std::array<float, 5>;  // gradient x, y, curvature xx, xy, yy at the centre of a cell
+  using Derivatives = Eigen::Matrix<double, 5, 1>;  // along x, y, xx, xy, yy
+
+  /// Derivatives at the centre of a cell of the box that is not on its border.
+  Derivatives derivativesAt(int column, int row) const;
 
   Cell first_;
   int width_;
   int height_;
-  std::vector<Node> nodes_;
+  std::vector<float> values_;  // at the centres of the cells, row by row
 };
 
 }  // namespace map_matcher

@@ -28,25 +28,25 @@ class CellMerger {
  public:
   /// One cell for each block of `block` x `block` cells (a power of two) that holds any: the lower left cell of the
   /// block, weighted by how many there are. So a cell lies up to block - 1 right of and above the one that stands for
-  /// it. Each weight keeps the order of the cells.
+  /// it. Each weight keeps the order of the cells. Cells so far apart that a table of all blocks would take more than
+  /// 64 MiB stay as they are.
   WeightedCells merge(const RotatedCells& cells, int block);
 
  private:
-  struct Slot {
-    std::uint32_t key = 0;
-    std::uint32_t generation = 0;  // of the call that filled it; others are empty
-    std::uint32_t index = 0;       // into merged_ and weights_
+  /// Lower left and upper right corner of the blocks of some cells [blocks].
+  struct Box {
+    int first_x;
+    int first_y;
+    int width;
+    int height;
   };
 
-  void clearTable(std::size_t num_cells);
-  void add(std::int16_t x, std::int16_t y);
-  WeightedCells sortedByWeight(std::int32_t total) const;
+  static Box boxOf(const RotatedCells& cells, int shift);
+  void countBlocks(const RotatedCells& cells, const Box& box, int shift);
+  WeightedCells sortedByWeight(const Box& box, int shift);
 
-  std::vector<Slot> table_;  // open addressing; its size is a power of two
-  int shift_ = 0;            // leaves the bits of a hash that are an index into table_
-  std::uint32_t generation_ = 0;
-  RotatedCells merged_;
-  std::vector<std::int32_t> weights_;
+  std::vector<std::int32_t> weights_;  // of the blocks of the box, row by row; zeros between calls
+  std::vector<std::uint32_t> filled_;  // indices of the blocks that hold a cell, by their first one
 };
 
 }  // namespace map_matcher
