@@ -98,7 +98,6 @@ class Certification {
   ExactSettings settings() const {
     ExactSettings settings;
     settings.threads = numThreads(options_.threads);
-    settings.root_level = reference_.exact().topLevel();
     settings.deadline = deadline_;
     return settings;
   }

@@ -45,10 +45,12 @@ void WallArray::growWindow(int old_window, int window) {
 }
 
 void WallArray::mergeShifted(std::ptrdiff_t shift) {
+  std::vector<std::uint8_t> shifted(static_cast<std::size_t>(row_length_), 0);  // a copy, so that the loop vectorises
   for (std::ptrdiff_t y = 0; y < num_rows_; ++y) {
     std::uint8_t* row = values_.data() + y * row_length_;
-    for (std::ptrdiff_t x = 0; x + shift < row_length_; ++x) {
-      row[x] |= row[x + shift];
+    std::copy(row + shift, row + row_length_, shifted.begin());
+    for (std::ptrdiff_t x = 0; x < row_length_; ++x) {
+      row[x] |= shifted[static_cast<std::size_t>(x)];
     }
     if (y >= shift) {  // the row below by `shift` has all it needs now
       std::uint8_t* lower = row - shift * row_length_;

@@ -21,9 +21,10 @@ double nearestHalving(double resolution, double coarse_resolution) {
   return resolution * std::exp2(halvings);
 }
 
-int exactRootLevel(double resolution) {
-  constexpr double kNodeWidth = 0.32;  // [m]
-  return std::clamp(static_cast<int>(std::lround(std::log2(kNodeWidth / resolution))), 1, BlockShape::kMaxLevel);
+int exactTopLevel(double resolution) {
+  constexpr double kWidestNode = 1.6;  // [m]
+  constexpr int kHighest = 5;
+  return std::clamp(static_cast<int>(std::lround(std::log2(kWidestNode / resolution))), 1, kHighest);
 }
 
 SearchReference::SearchReference(const OccupancyGrid& reference, double resolution, const MatchOptions& options)
@@ -37,7 +38,7 @@ SearchReference::SearchReference(const OccupancyGrid& reference, double resoluti
     const OccupancyGrid grid = resample(reference, resolution);
     exact_.emplace(grid.width(), grid.height(),
                    occupiedCells(grid, static_cast<std::int8_t>(options.occupied_threshold)),
-                   options.hit_tolerance / resolution, exactRootLevel(resolution));
+                   options.hit_tolerance / resolution, exactTopLevel(resolution));
   }
 }
 

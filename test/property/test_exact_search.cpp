@@ -82,14 +82,15 @@ TEST(ExactSearch, FindsWhatTryingAllPosesFindsWithAnyNumberOfThreadsAndEveryKern
     SCOPED_TRACE("seed " + std::to_string(seed));
     RandomProblem random(seed);
     ExactSettings settings;
-    settings.root_level = static_cast<int>(seed) % (BlockShape::kMaxLevel + 1);
-    const WidenedGrids grids(random.width, random.height, random.walls, random.tolerance, settings.root_level);
+    const int top_level = static_cast<int>(seed) % (BlockShape::kMaxLevel + 1);
+    const WidenedGrids grids(random.width, random.height, random.walls, random.tolerance, top_level);
     ExactProblem problem = random.problem(grids);
     const test::HitMap hits(random.width, random.height, random.walls, random.tolerance);
     const test::BestPoses expected = test::tryAllPoses(problem, random.session, hits, 32);
 
     for (const KernelVariant variant : variants) {
       settings.kernel = ScoreKernel(variant);
+      settings.root_level = variant == variants.back() ? std::nullopt : std::make_optional(top_level);
       settings.threads = 1 + static_cast<int>((seed + static_cast<std::uint32_t>(variant)) % 3);
       problem.known_count =
           seed % 4 == 0 && expected.best ? expected.best->count - test::randomInt(random.random, 0, 2) : 0;

@@ -43,9 +43,8 @@ class SearchReference {
   std::optional<WidenedGrids> exact_;
 };
 
-/// Level of the initial nodes of the exact search: that whose nodes are nearest to 0.32 m wide. Wider ones match nearly
-/// everything in a building and none is pruned; narrower ones are many.
-int exactRootLevel(double resolution);
+/// Highest level of the exact search: nodes of up to 1.6 m. Wider ones match nearly everything in a building.
+int exactTopLevel(double resolution);
 
 /// The halving resolution * 2^k, k >= 0, nearest to `coarse_resolution` on a logarithmic scale [m]: 0.16 m or 0.2 m for
 /// maps of 2 cm or 5 cm and a coarse resolution of 0.2 m.
