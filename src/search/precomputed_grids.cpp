@@ -12,6 +12,13 @@ constexpr int kMaxLevel = 15;
 
 int divideUp(int value, int divisor) { return (value + divisor - 1) / divisor; }
 
+/// Adds the walls of one row to those of another. The rows do not overlap, so that the loop vectorises.
+void mergeRows(const std::uint8_t* __restrict from, std::uint8_t* __restrict to, std::ptrdiff_t length) {
+  for (std::ptrdiff_t x = 0; x < length; ++x) {
+    to[x] = static_cast<std::uint8_t>(to[x] | from[x]);
+  }
+}
+
 void requireAddressable(int width, int height, int level) {
   const int stride = 1 << level;
   const double columns = divideUp(width, stride) + 2.0 * kMaxTileColumns + 1.0;
@@ -45,18 +52,13 @@ void WallArray::growWindow(int old_window, int window) {
 }
 
 void WallArray::mergeShifted(std::ptrdiff_t shift) {
-  std::vector<std::uint8_t> shifted(static_cast<std::size_t>(row_length_), 0);  // a copy, so that the loop vectorises
+  std::vector<std::uint8_t> shifted(static_cast<std::size_t>(row_length_), 0);
   for (std::ptrdiff_t y = 0; y < num_rows_; ++y) {
     std::uint8_t* row = values_.data() + y * row_length_;
     std::copy(row + shift, row + row_length_, shifted.begin());
-    for (std::ptrdiff_t x = 0; x < row_length_; ++x) {
-      row[x] |= shifted[static_cast<std::size_t>(x)];
-    }
+    mergeRows(shifted.data(), row, row_length_);
     if (y >= shift) {  // the row below by `shift` has all it needs now
-      std::uint8_t* lower = row - shift * row_length_;
-      for (std::ptrdiff_t x = 0; x < row_length_; ++x) {
-        lower[x] |= row[x];
-      }
+      mergeRows(row, row - shift * row_length_, row_length_);
     }
   }
 }
