@@ -13,8 +13,8 @@ constexpr int kSampledBlocks = 6;
 // What a session cell costs in each step, in nanoseconds of one core; only their ratios matter (benchmark:
 // BM_Certified).
 constexpr double kRotating = 6.0;             // rotating it and putting it together with others, for a block
-constexpr double kScoringNode = 4.0 / 512.0;  // counting it for an initial node, one of a tile
-constexpr double kExpandingNode = 1.5;        // counting it for the children of a node
+constexpr double kScoringNode = 3.0 / 512.0;  // counting it for an initial node, one of a tile
+constexpr double kExpandingNode = 2.0;        // counting it for the children of a node
 
 /// Expected cost of the whole search at a level.
 struct LevelCost {
