@@ -1,11 +1,14 @@
 // How long a match takes, split by its steps (the report's figure 9), and what its kernel does per second.
 //
-//   BM_Match/synthetic_office          55 m x 15 m at 2 cm, a drive drawn by the session mapper, 13,000 session cells
-//   BM_Match/<set>/<case>              recorded sessions, where the evaluation data is there (MAP_MATCHER_DATA)
-//   BM_BuildReference/...              what depends only on the reference map
+//   BM_TwoStages/synthetic_office      55 m x 15 m at 2 cm, a drive drawn by the session mapper, 13,000 session cells
+//   BM_TwoStages/<set>/<case>          recorded sessions, where the evaluation data is there (MAP_MATCHER_DATA)
+//   BM_Certified/<pair>/<threads>      the same and others with proof, runner-up and refinement:
+//     willow, campus                     simulated drives of 15 m and 30 m in these maps
+//     stranger_in_intel                  a recorded session of another building
+//   BM_BuildReference/<pair>           what depends only on the reference map
 //   BM_ScoreTile/<variant>/<level>     one tile of 512 translations; items are cells x translations
 //
-// Times are of one core; the counters are the means of the stages' own times [ms].
+// Times of BM_TwoStages are of one core; the counters are the means of the stages' own times [ms].
 
 #include <benchmark/benchmark.h>
 
@@ -39,26 +42,45 @@ struct MapPair {
   OccupancyGrid session;
 };
 
-/// The session map of a drive through a generated office, drawn until it has `num_cells` walls.
-MapPair syntheticOffice(std::size_t num_cells) {
-  OfficeBuildingOptions building_options;
-  const OccupancyGrid building = officeBuilding(building_options);
+/// Length and range of a drive.
+struct SimulatedSession {
+  std::uint64_t seed = 3;
+  double length = 1e9;          // [m] that the robot drives at most
+  std::size_t num_cells = 1e9;  // walls at most
+  double max_range = 12.0;      // [m] 12 m: a session map of about 24 m x 24 m, not one as long as the corridor
+};
+
+/// The session map of a drive through a map.
+OccupancyGrid simulateSession(const OccupancyGrid& map, const SimulatedSession& wanted) {
   DriveOptions drive_options;
-  drive_options.seed = 3;
+  drive_options.seed = wanted.seed;
   drive_options.lidar.sigma = 0.03;
-  const Drive drive = simulateDrive(building, drive_options);
+  const Drive drive = simulateDrive(map, drive_options);
   SessionMapperOptions mapper_options;
-  mapper_options.delta = building.resolution();
-  mapper_options.max_range = 12.0;  // a session map of about 24 m x 24 m, not one as long as the corridor
+  mapper_options.delta = map.resolution();
+  mapper_options.max_range = wanted.max_range;
   SessionMapper mapper(mapper_options);
+  double length = 0.0;
+  Eigen::Vector2d last = drive.steps.front().T_map_base.translation();
   for (const DriveStep& step : drive.steps) {
+    length += (step.T_map_base.translation() - last).norm();
+    last = step.T_map_base.translation();
     const ScanReport report =
         mapper.addScan(step.T_odom_base, step.scans.front(), {drive.T_base_lidar.front(), false});
-    if (report.outcome == ScanOutcome::kDrawn && occupiedCells(*mapper.map()).size() >= num_cells) {
+    const bool drawn = report.outcome == ScanOutcome::kDrawn;
+    if (length > wanted.length || (drawn && occupiedCells(*mapper.map()).size() >= wanted.num_cells)) {
       break;
     }
   }
-  return {"synthetic_office", building, *mapper.map()};
+  return *mapper.map();
+}
+
+/// The session map of a drive through a generated office, drawn until it has `num_cells` walls.
+MapPair syntheticOffice(std::size_t num_cells) {
+  const OccupancyGrid building = officeBuilding({});
+  SimulatedSession wanted;
+  wanted.num_cells = num_cells;
+  return {"synthetic_office", building, simulateSession(building, wanted)};
 }
 
 void addStage(benchmark::State& state, const StageReport& stage) {
@@ -67,8 +89,8 @@ void addStage(benchmark::State& state, const StageReport& stage) {
   state.counters[stage.name + "_dfs_ms"] += 1e3 * stage.depth_first_search_time;
 }
 
-void matchPair(benchmark::State& state, const std::shared_ptr<const MapPair>& pair) {
-  MapMatcher matcher;
+void matchPair(benchmark::State& state, const std::shared_ptr<const MapPair>& pair, const MatchOptions& options) {
+  MapMatcher matcher(options);
   matcher.setReference(pair->reference);
   MatchResult result;
   for (auto _ : state) {
@@ -82,6 +104,8 @@ void matchPair(benchmark::State& state, const std::shared_ptr<const MapPair>& pa
   }
   state.counters["session_cells"] = result.total_cells;
   state.counters["ratio"] = result.ratio;
+  state.counters["hit_ratio"] = result.hit_ratio;
+  state.counters["margin"] = result.margin;
   state.counters["rotations"] = result.stages.empty() ? 0 : result.stages.front().rotations;
   state.SetLabel(toString(result.status));
 }
@@ -92,7 +116,9 @@ void buildReference(benchmark::State& state, const std::shared_ptr<const MapPair
     benchmark::DoNotOptimize(reference.fine().bytes());
   }
   const SearchReference reference(pair->reference, pair->reference.resolution(), {});
-  state.counters["megabytes"] = 1e-6 * static_cast<double>(reference.fine().bytes() + reference.coarse().bytes());
+  state.counters["two_stages_megabytes"] =
+      1e-6 * static_cast<double>(reference.fine().bytes() + reference.coarse().bytes());
+  state.counters["exact_megabytes"] = 1e-6 * static_cast<double>(reference.exact().bytes());
 }
 
 void scoreTile(benchmark::State& state) {
@@ -129,16 +155,49 @@ fs::path referenceOf(const fs::path& recorded) {
   return fs::exists(own) ? own : recorded.parent_path() / "reference.yaml";
 }
 
-void registerPair(MapPair pair) {
-  const auto shared = std::make_shared<const MapPair>(std::move(pair));
-  const auto match = [shared](benchmark::State& state) { matchPair(state, shared); };
-  benchmark::RegisterBenchmark(("BM_Match/" + shared->name).c_str(), match)->Unit(benchmark::kMillisecond);
+using SharedPair = std::shared_ptr<const MapPair>;
+
+void registerTwoStages(const SharedPair& pair) {
+  MatchOptions options;
+  options.search = "two_stage";
+  const auto match = [pair, options](benchmark::State& state) { matchPair(state, pair, options); };
+  benchmark::RegisterBenchmark(("BM_TwoStages/" + pair->name).c_str(), match)->Unit(benchmark::kMillisecond);
 }
 
-void registerReference(const std::string& name, const MapPair& pair) {
-  const auto shared = std::make_shared<const MapPair>(pair);
-  const auto build = [shared](benchmark::State& state) { buildReference(state, shared); };
+void registerCertified(const SharedPair& pair) {
+  for (const int threads : {1, 2}) {
+    MatchOptions options;
+    options.threads = threads;
+    options.exact_deadline = 60.0;
+    const auto match = [pair, options](benchmark::State& state) { matchPair(state, pair, options); };
+    benchmark::RegisterBenchmark(("BM_Certified/" + pair->name + "/" + std::to_string(threads)).c_str(), match)
+        ->Unit(benchmark::kMillisecond)
+        ->MeasureProcessCPUTime()
+        ->UseRealTime();
+  }
+}
+
+void registerReference(const std::string& name, const SharedPair& pair) {
+  const auto build = [pair](benchmark::State& state) { buildReference(state, pair); };
   benchmark::RegisterBenchmark(("BM_BuildReference/" + name).c_str(), build)->Unit(benchmark::kMillisecond);
+}
+
+void registerAll(const std::string& reference_name, MapPair pair) {
+  const auto shared = std::make_shared<const MapPair>(std::move(pair));
+  registerReference(reference_name, shared);
+  registerTwoStages(shared);
+  registerCertified(shared);
+}
+
+/// Drives through maps at hand, and a session map in a map that it does not belong to.
+void registerOtherMaps(const fs::path& data) {
+  const OccupancyGrid willow = loadMap((data / "maps/willow-full-0.05.yaml").string());
+  registerAll("willow", {"willow", willow, simulateSession(willow, {3, 15.0})});
+  const OccupancyGrid campus = loadMap((data / "maps/freiburg-campus.yaml").string());
+  registerAll("campus", {"campus", campus, simulateSession(campus, {3, 30.0, 1000000, 30.0})});
+  registerCertified(
+      std::make_shared<const MapPair>(MapPair{"stranger_in_intel", loadMap((data / "maps/intel.yaml").string()),
+                                              loadMap((data / "sessions/freiburg-101-4m/07/session.yaml").string())}));
 }
 
 void registerRecordedSessions(const fs::path& data) {
@@ -151,12 +210,14 @@ void registerRecordedSessions(const fs::path& data) {
     }
     std::sort(recorded.begin(), recorded.end());
     for (const fs::path& path : recorded) {
-      const MapPair pair{set + "/" + path.filename().string(), loadMap(referenceOf(path).string()),
-                         loadMap((path / "session.yaml").string())};
+      const auto pair = std::make_shared<const MapPair>(MapPair{set + "/" + path.filename().string(),
+                                                                loadMap(referenceOf(path).string()),
+                                                                loadMap((path / "session.yaml").string())});
       if (path == recorded.front()) {
         registerReference(set, pair);
       }
-      registerPair(pair);
+      registerTwoStages(pair);
+      registerCertified(pair);
     }
   }
 }
@@ -165,12 +226,11 @@ void registerRecordedSessions(const fs::path& data) {
 }  // namespace map_matcher
 
 int main(int argc, char** argv) {
-  const map_matcher::MapPair office = map_matcher::syntheticOffice(13000);
-  map_matcher::registerReference(office.name, office);
-  map_matcher::registerPair(office);
+  map_matcher::registerAll("synthetic_office", map_matcher::syntheticOffice(13000));
   const char* data = std::getenv("MAP_MATCHER_DATA");
   if (data != nullptr) {
     map_matcher::registerRecordedSessions(data);
+    map_matcher::registerOtherMaps(data);
   } else {
     std::cerr << "MAP_MATCHER_DATA is not set: recorded sessions are left out\n";
   }

@@ -45,6 +45,9 @@ std::vector<Span> overlaps(int old_size, int new_size, double ratio) {
 }  // namespace
 
 OccupancyGrid resample(const OccupancyGrid& grid, double resolution) {
+  if (resolution == grid.resolution()) {
+    return grid;
+  }
   GridGeometry geometry = grid.geometry();
   geometry.resolution = resolution;
   geometry.validate();

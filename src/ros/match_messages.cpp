@@ -1,6 +1,7 @@
 #include "map_matcher/ros/match_messages.hpp"
 
-#include <algorithm>
+#include <Eigen/Core>
+#include <array>
 
 #include "map_matcher/ros/conversions.hpp"
 
@@ -21,6 +22,10 @@ std::uint8_t statusConstant(MatchStatus status) {
       return MapMatch::TOO_FEW_SESSION_CELLS;
     case MatchStatus::kSessionTooLarge:
       return MapMatch::SESSION_TOO_LARGE;
+    case MatchStatus::kNotCertified:
+      return MapMatch::NOT_CERTIFIED;
+    case MatchStatus::kAmbiguous:
+      return MapMatch::AMBIGUOUS;
     case MatchStatus::kStopped:
       break;
   }
@@ -56,8 +61,24 @@ MatchStage toMessage(const StageReport& stage) {
   return message;
 }
 
-/// Variance of a quantity that is spread evenly over an interval.
-double evenVariance(double interval) { return interval * interval / 12.0; }
+using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+
+void fillCertificate(MapMatch& message, const MatchResult& result) {
+  message.certified = result.certified;
+  message.replaced = result.replaced;
+  message.hit_cells = result.hit_cells;
+  message.hit_ratio = result.hit_ratio;
+  message.upper_bound = result.upper_bound;
+  message.has_runner_up = result.runner_up.has_value();
+  if (result.runner_up) {
+    const Rigid2& T_reference_session = result.runner_up->T_reference_session;
+    message.runner_up_x = T_reference_session.x;
+    message.runner_up_y = T_reference_session.y;
+    message.runner_up_yaw = T_reference_session.yaw;
+    message.runner_up_ratio = result.runner_up->ratio;
+  }
+  message.margin = result.margin;
+}
 
 }  // namespace
 
@@ -71,10 +92,12 @@ MapMatch toMessage(const MatchResult& result) {
   message.x = T_reference_session.x;
   message.y = T_reference_session.y;
   message.yaw = T_reference_session.yaw;
+  Eigen::Map<RowMajor>(message.covariance.data()) = result.covariance;
   message.refined = result.refined;
   message.matched_cells = result.matched_cells;
   message.total_cells = result.total_cells;
   message.ratio = result.ratio;
+  fillCertificate(message, result);
   for (const StageReport& stage : result.stages) {
     message.stages.push_back(toMessage(stage));
   }
@@ -93,15 +116,21 @@ MapMatch refusal(std::uint8_t status, const std::string& reason) {
 }
 
 geometry_msgs::PoseWithCovariance robotPose(const MapMatch& match, const Rigid2& T_session_base) {
-  constexpr std::size_t kRow = 6;
   geometry_msgs::PoseWithCovariance pose;
   pose.pose = toPoseMessage(Rigid2{match.x, match.y, match.yaw} * T_session_base);
-  const auto answered =
-      std::find_if(match.stages.rbegin(), match.stages.rend(), [](const MatchStage& stage) { return stage.answered; });
-  if (answered != match.stages.rend()) {
-    pose.covariance[0 * kRow + 0] = evenVariance(answered->resolution);
-    pose.covariance[1 * kRow + 1] = evenVariance(answered->resolution);
-    pose.covariance[5 * kRow + 5] = evenVariance(answered->rotation_step);
+  // Turning the session map about its origin moves the robot along.
+  const Eigen::Vector2d arm = Rigid2{0.0, 0.0, match.yaw} * T_session_base.translation();
+  Eigen::Matrix3d jacobian = Eigen::Matrix3d::Identity();
+  jacobian(0, 2) = -arm.y();
+  jacobian(1, 2) = arm.x();
+  const Eigen::Matrix3d covariance =
+      jacobian * Eigen::Map<const RowMajor>(match.covariance.data()) * jacobian.transpose();
+  constexpr std::array<int, 3> kPlanar{0, 1, 5};  // x, y and yaw of x, y, z, roll, pitch and yaw
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) {
+      pose.covariance[static_cast<std::size_t>(6 * kPlanar[static_cast<std::size_t>(row)] +
+                                               kPlanar[static_cast<std::size_t>(column)])] = covariance(row, column);
+    }
   }
   return pose;
 }

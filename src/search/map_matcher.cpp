@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "map_matcher/parameters/option_check.hpp"
+#include "map_matcher/search/certification.hpp"
 #include "map_matcher/search/search_reference.hpp"
 #include "map_matcher/search/stopwatch.hpp"
 #include "map_matcher/search/two_stage_search.hpp"
@@ -46,7 +47,13 @@ MatchResult MapMatcher::match(const OccupancyGrid& session, const MatchPrior& pr
   if (search_reference_->resolution() != resolution) {
     buildSearchReference(resolution);
   }
-  MatchResult result = twoStageSearch(*search_reference_, session, options_, prior, stop);
+  Stopwatch watch;
+  const SearchSession search_session = searchSession(session, options_);
+  MatchResult result = twoStageSearch(*search_reference_, search_session, options_, prior, stop);
+  if (options_.search == "exact") {
+    result = certify(result, *search_reference_, search_session, options_, prior, stop);
+  }
+  result.search_time = watch.lap();
   result.reference_time = reference_time_;
   return result;
 }

@@ -1,22 +1,55 @@
 #include "map_matcher/search/match_options.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace map_matcher {
+
+int minCount(double ratio, int num_cells) { return std::max(1, static_cast<int>(std::ceil(ratio * num_cells - 1e-9))); }
+
+double smallestHitRatio(const MatchOptions& options) {
+  return std::max(options.coarse.acceptance_ratio, options.min_hit_ratio);
+}
 
 ParameterList parametersOf(MatchOptions& options) {
   return {
+      {"search",
+       "",
+       "Either coarse and fine stage alone, or then the proof that no pose is better, and the best place elsewhere.",
+       &options.search,
+       {},
+       {},
+       {"two_stage", "exact"}},
       {"coarse_resolution", "m",
        "The coarse stage runs at the map's resolution doubled as often as comes nearest to this.",
        &options.coarse_resolution, 0.01, 10.0},
       {"rotation_downsampling", "cells",
        "Coarse stage: cells that the farthest session cell may move in two rotation steps (eq. 4.2).",
        &options.coarse.rotation_downsampling, 0.1, 100.0},
-      {"acceptance_ratio", "", "Coarse stage: smallest share of session cells on walls that is an answer.",
+      {"acceptance_ratio", "",
+       "Coarse stage and exact search: smallest share of session cells on walls that is an answer.",
        &options.coarse.acceptance_ratio, 0.0, 1.0},
       {"fine_rotation_downsampling", "cells", "Fine stage: the same as rotation_downsampling.",
        &options.fine.rotation_downsampling, 0.1, 100.0},
       {"fine_acceptance_ratio", "",
        "Fine stage: smallest share of session cells on walls that is an answer; without one the coarse answer stands.",
        &options.fine.acceptance_ratio, 0.0, 1.0},
+      {"hit_tolerance", "m",
+       "Exact search: a session cell counts as on a wall up to this far from one; about the noise of the scans.",
+       &options.hit_tolerance, 0.0, 1.0},
+      {"min_hit_ratio", "", "Exact search: smallest share of session cells that near to walls that is an answer.",
+       &options.min_hit_ratio, 0.0, 1.0},
+      {"min_margin", "",
+       "Exact search: by how much the share at the best place has to exceed that at the best place elsewhere.",
+       &options.min_margin, 0.0, 1.0},
+      {"distinct_distance", "m",
+       "Exact search: a place elsewhere puts the middle of the session map farther off than this,",
+       &options.distinct_distance, 0.0, 1000.0},
+      {"distinct_angle", "rad", "or turns the session map by more than this.", &options.distinct_angle, 0.0, 4.0},
+      {"exact_deadline", "s", "Exact search: time after which it ends without a proof.", &options.exact_deadline, 0.0,
+       3600.0},
+      {"threads", "", "Exact search: threads that it uses; 0 is as many as the processor has.", &options.threads, 0.0,
+       256.0},
       {"hits_sample_threshold", "cells",
        "Session cells looked at in each stage, always the same ones for the same map; 0 looks at all.",
        &options.hits_sample_threshold, 0.0, 1e9},

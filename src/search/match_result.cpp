@@ -18,6 +18,10 @@ const char* toString(MatchStatus status) {
       return "session_too_large";
     case MatchStatus::kStopped:
       return "stopped";
+    case MatchStatus::kNotCertified:
+      return "not_certified";
+    case MatchStatus::kAmbiguous:
+      return "ambiguous";
   }
   return "unknown";
 }

@@ -12,33 +12,10 @@ constexpr int kMaxLevel = 15;
 
 int divideUp(int value, int divisor) { return (value + divisor - 1) / divisor; }
 
-/// Walls as ones in an array with `margin` zeros around the map.
-std::vector<std::uint8_t> drawWalls(int width, int height, int margin, const std::vector<Cell>& walls) {
-  const auto row_length = static_cast<std::size_t>(width + 2 * margin);
-  std::vector<std::uint8_t> values(row_length * static_cast<std::size_t>(height + 2 * margin), 0);
-  for (const Cell& wall : walls) {
-    if (wall.x >= 0 && wall.y >= 0 && wall.x < width && wall.y < height) {
-      values[static_cast<std::size_t>(wall.y + margin) * row_length + static_cast<std::size_t>(wall.x + margin)] = 1;
-    }
-  }
-  return values;
-}
-
-/// Doubles the pooling window of every value, in place: from [x, x + reach) to [x, x + 2 reach), and y alike. Values
-/// whose window would leave the array keep the smaller one; they lie in the margin beyond all walls.
-void doubleWindow(std::vector<std::uint8_t>& values, std::size_t row_length, std::size_t reach) {
-  const std::size_t num_rows = values.size() / row_length;
-  for (std::size_t y = 0; y < num_rows; ++y) {
-    std::uint8_t* row = &values[y * row_length];
-    for (std::size_t x = 0; x + reach < row_length; ++x) {
-      row[x] |= row[x + reach];
-    }
-    if (y >= reach) {  // the row below by `reach` has all it needs now
-      std::uint8_t* lower = &values[(y - reach) * row_length];
-      for (std::size_t x = 0; x < row_length; ++x) {
-        lower[x] |= row[x];
-      }
-    }
+/// Adds the walls of one row to those of another. The rows do not overlap, so that the loop vectorises.
+void mergeRows(const std::uint8_t* __restrict from, std::uint8_t* __restrict to, std::ptrdiff_t length) {
+  for (std::ptrdiff_t x = 0; x < length; ++x) {
+    to[x] = static_cast<std::uint8_t>(to[x] | from[x]);
   }
 }
 
@@ -54,21 +31,53 @@ void requireAddressable(int width, int height, int level) {
 
 }  // namespace
 
-PooledLevel::PooledLevel(int level, int width, int height, int margin, const std::vector<std::uint8_t>& pooled)
+WallArray::WallArray(int width, int height, int margin)
+    : margin_(margin),
+      row_length_(width + 2 * margin),
+      num_rows_(height + 2 * margin),
+      values_(static_cast<std::size_t>(row_length_ * num_rows_), 0) {}
+
+void WallArray::draw(int x, int y) {
+  if (x >= -margin_ && y >= -margin_ && x < row_length_ - margin_ && y < num_rows_ - margin_) {
+    values_[static_cast<std::size_t>(index(x, y))] = 1;
+  }
+}
+
+void WallArray::growWindow(int old_window, int window) {
+  for (int reached = old_window; reached < window;) {
+    const int shift = std::min(reached, window - reached);
+    mergeShifted(shift);
+    reached += shift;
+  }
+}
+
+void WallArray::mergeShifted(std::ptrdiff_t shift) {
+  std::vector<std::uint8_t> shifted(static_cast<std::size_t>(row_length_), 0);
+  for (std::ptrdiff_t y = 0; y < num_rows_; ++y) {
+    std::uint8_t* row = values_.data() + y * row_length_;
+    std::copy(row + shift, row + row_length_, shifted.begin());
+    mergeRows(shifted.data(), row, row_length_);
+    if (y >= shift) {  // the row below by `shift` has all it needs now
+      mergeRows(row, row - shift * row_length_, row_length_);
+    }
+  }
+}
+
+PooledLevel::PooledLevel(int level, int width, int height, const WallArray& pooled, int shift)
     : level_(level),
       columns_(divideUp(width, 1 << level)),
       rows_(divideUp(height, 1 << level)),
       row_stride_(columns_ + 2 * kMaxTileColumns + 1),
       phase_size_(row_stride_ * (rows_ + 2 * kMaxTileRows + 1)),
-      origin_((kMaxTileRows + 1) * row_stride_ + kMaxTileColumns + 1),
-      values_(static_cast<std::size_t>(phase_size_) << (2 * level), 0) {
-  const int row_length = width + 2 * margin;
+      origin_((kMaxTileRows + 1) * row_stride_ + kMaxTileColumns + 1) {
+  requireAddressable(width, height, level);
+  values_.assign(static_cast<std::size_t>(phase_size_) << (2 * level), 0);
   for (int y = 1 - stride(); y < height; ++y) {
-    const std::uint8_t* row = &pooled[static_cast<std::size_t>(y + margin) * static_cast<std::size_t>(row_length)];
+    const std::uint8_t* row = pooled.row(y - shift) - shift;
     for (int phase = 0; phase < stride(); ++phase) {
       std::uint8_t* target = &values_[address(phase, y)];
       for (int x = phase == 0 ? 0 : phase - stride(); x < width; x += stride()) {
-        target[x >> level_] = row[x + margin];
+        target[x >> level_] = row[x];
       }
     }
   }
@@ -84,18 +93,19 @@ PrecomputedGrids::PrecomputedGrids(int width, int height, const std::vector<Cell
     throw std::invalid_argument("top_level is " + std::to_string(top_level) + ", expected 0 to " +
                                 std::to_string(kMaxLevel));
   }
-  requireAddressable(width, height, top_level);
+  WallArray pooled(width, height, 1 << top_level);
   for (const Cell& wall : walls) {
+    if (wall.x >= 0 && wall.y >= 0 && wall.x < width && wall.y < height) {
+      pooled.draw(wall.x, wall.y);
+    }
     first_wall_ = {std::min(first_wall_.x, wall.x), std::min(first_wall_.y, wall.y)};
     last_wall_ = {std::max(last_wall_.x, wall.x), std::max(last_wall_.y, wall.y)};
   }
-  const int margin = 1 << top_level;
-  std::vector<std::uint8_t> pooled = drawWalls(width, height, margin, walls);
   for (int level = 0; level <= top_level; ++level) {
     if (level > 0) {
-      doubleWindow(pooled, static_cast<std::size_t>(width + 2 * margin), std::size_t{1} << (level - 1));
+      pooled.growWindow(1 << (level - 1), 1 << level);
     }
-    levels_.emplace_back(level, width, height, margin, pooled);
+    levels_.emplace_back(level, width, height, pooled);
   }
 }
 

@@ -29,6 +29,7 @@ struct Chunk {
   const std::int16_t* y;
   std::size_t size;
   Cell first;
+  std::int32_t weight;  // of each cell
 };
 
 #define MAP_MATCHER_INLINE __attribute__((always_inline)) inline
@@ -68,7 +69,7 @@ MAP_MATCHER_INLINE std::int32_t addTiles(const Chunk& chunk, std::int32_t* count
     std::uint8_t narrow[kRows * kColumns];
     std::memcpy(narrow, sums, sizeof(narrow));
     for (int i = 0; i < kRows * kColumns; ++i) {
-      const std::int32_t count = counts[top * kColumns + i] + narrow[i];
+      const std::int32_t count = counts[top * kColumns + i] + chunk.weight * narrow[i];
       counts[top * kColumns + i] = count;
       largest = count > largest ? count : largest;
     }
@@ -95,8 +96,8 @@ MAP_MATCHER_INLINE std::int32_t addChildren(const Chunk& chunk, std::int32_t* co
     const auto pair = static_cast<std::uint16_t>(sums[row]);
     std::uint8_t bytes[2];
     std::memcpy(bytes, &pair, sizeof(bytes));
-    counts[2 * row] += bytes[0];
-    counts[2 * row + 1] += bytes[1];
+    counts[2 * row] += chunk.weight * bytes[0];
+    counts[2 * row + 1] += chunk.weight * bytes[1];
   }
   return std::max({counts[0], counts[1], counts[2], counts[3]});
 }
@@ -121,18 +122,45 @@ MAP_MATCHER_KERNEL(Avx512, __attribute__((target("avx512bw"))), 64, 8)
 
 using AddFunction = std::int32_t (*)(const Chunk&, std::int32_t*);
 
-/// Counts all cells, chunk by chunk, until `min_count` is out of reach for each of the `num_counts` translations.
-bool countCells(AddFunction add, const PooledLevel& level, const RotatedCells& cells, const Cell& first,
-                std::int32_t min_count, std::int32_t* counts, std::size_t num_counts) {
-  const std::size_t num_cells = cells.x.size();
-  std::fill_n(counts, num_counts, 0);
-  for (std::size_t begin = 0; begin < num_cells; begin += kChunk) {
-    const std::size_t size = std::min(kChunk, num_cells - begin);
-    const std::int32_t largest = add({&level, &cells.x[begin], &cells.y[begin], size, first}, counts);
-    const auto rest = static_cast<std::int32_t>(num_cells - begin - size);
-    if (largest + rest < min_count) {
+/// Counts of some translations, as far as the cells are counted.
+struct Progress {
+  std::int32_t* counts;
+  std::int32_t rest;       // weight of the cells to come
+  std::int32_t min_count;  // that one of the translations has to reach
+};
+
+/// Counts cells of one weight, chunk by chunk, until `min_count` is out of reach for each of the translations.
+bool countCells(AddFunction add, Chunk cells, Progress& progress) {
+  for (std::size_t left = cells.size; left > 0;) {
+    cells.size = std::min(kChunk, left);
+    const std::int32_t largest = add(cells, progress.counts);
+    progress.rest -= static_cast<std::int32_t>(cells.size) * cells.weight;
+    if (largest + progress.rest < progress.min_count) {
       return false;
     }
+    left -= cells.size;
+    cells.x += cells.size;
+    cells.y += cells.size;
+  }
+  return true;
+}
+
+bool countAll(AddFunction add, const PooledLevel& level, const RotatedCells& cells, const Cell& first,
+              Progress progress) {
+  progress.rest = static_cast<std::int32_t>(cells.x.size());
+  return countCells(add, {&level, cells.x.data(), cells.y.data(), cells.x.size(), first, 1}, progress);
+}
+
+bool countAll(AddFunction add, const PooledLevel& level, const WeightedCells& weighted, const Cell& first,
+              Progress progress) {
+  progress.rest = weighted.total;
+  std::size_t begin = 0;
+  for (const WeightedCells::Run& run : weighted.runs) {
+    const RotatedCells& cells = weighted.cells;
+    if (!countCells(add, {&level, &cells.x[begin], &cells.y[begin], run.size, first, run.weight}, progress)) {
+      return false;
+    }
+    begin += run.size;
   }
   return true;
 }
@@ -144,6 +172,8 @@ struct ScoreKernel::Functions {
   AddFunction add_wide_tiles;
   AddFunction add_narrow_tiles;
   AddFunction add_children;
+
+  AddFunction addTiles(TileShape shape) const { return shape == TileShape::kWide ? add_wide_tiles : add_narrow_tiles; }
 };
 
 namespace {
@@ -189,14 +219,26 @@ ScoreKernel::ScoreKernel(KernelVariant variant) : functions_(functionsOf(variant
 
 bool ScoreKernel::scoreTile(TileShape shape, const PooledLevel& level, const RotatedCells& cells, const Cell& first,
                             std::int32_t min_count, TileCounts& counts) const {
-  const AddFunction add = shape == TileShape::kWide ? functions_->add_wide_tiles : functions_->add_narrow_tiles;
-  const auto num_counts = static_cast<std::size_t>(tileColumns(shape) * tileRows(shape));
-  return countCells(add, level, cells, first, min_count, counts.data(), num_counts);
+  counts.fill(0);
+  return countAll(functions_->addTiles(shape), level, cells, first, {counts.data(), 0, min_count});
+}
+
+bool ScoreKernel::scoreTile(TileShape shape, const PooledLevel& level, const WeightedCells& cells, const Cell& first,
+                            std::int32_t min_count, TileCounts& counts) const {
+  counts.fill(0);
+  return countAll(functions_->addTiles(shape), level, cells, first, {counts.data(), 0, min_count});
 }
 
 bool ScoreKernel::scoreChildren(const PooledLevel& level, const RotatedCells& cells, const Cell& first,
                                 std::int32_t min_count, std::array<std::int32_t, 4>& counts) const {
-  return countCells(functions_->add_children, level, cells, first, min_count, counts.data(), counts.size());
+  counts.fill(0);
+  return countAll(functions_->add_children, level, cells, first, {counts.data(), 0, min_count});
+}
+
+bool ScoreKernel::scoreChildren(const PooledLevel& level, const WeightedCells& cells, const Cell& first,
+                                std::int32_t min_count, std::array<std::int32_t, 4>& counts) const {
+  counts.fill(0);
+  return countAll(functions_->add_children, level, cells, first, {counts.data(), 0, min_count});
 }
 
 }  // namespace map_matcher

@@ -21,6 +21,12 @@ double nearestHalving(double resolution, double coarse_resolution) {
   return resolution * std::exp2(halvings);
 }
 
+int exactTopLevel(double resolution) {
+  constexpr double kWidestNode = 1.6;  // [m]
+  constexpr int kHighest = 5;
+  return std::clamp(static_cast<int>(std::lround(std::log2(kWidestNode / resolution))), 1, kHighest);
+}
+
 SearchReference::SearchReference(const OccupancyGrid& reference, double resolution, const MatchOptions& options)
     : fine_resolution_(resolution),
       coarse_resolution_(nearestHalving(resolution, options.coarse_resolution)),
@@ -28,6 +34,12 @@ SearchReference::SearchReference(const OccupancyGrid& reference, double resoluti
       coarse_(poolWalls(resample(reference, coarse_resolution_), options, kCoarseRootLevel)) {
   const double offset = -options.reference_map_cell_offset * reference.resolution();
   T_reference_grid_ = reference.geometry().T_map_grid * Rigid2{offset, offset, 0.0};
+  if (options.search == "exact") {
+    const OccupancyGrid grid = resample(reference, resolution);
+    exact_.emplace(grid.width(), grid.height(),
+                   occupiedCells(grid, static_cast<std::int8_t>(options.occupied_threshold)),
+                   options.hit_tolerance / resolution, exactTopLevel(resolution));
+  }
 }
 
 }  // namespace map_matcher

@@ -6,7 +6,6 @@
 #include <sstream>
 #include <utility>
 
-#include "map_matcher/grid/occupied_cells.hpp"
 #include "map_matcher/search/branch_and_bound.hpp"
 #include "map_matcher/search/rotations.hpp"
 #include "map_matcher/search/scouting.hpp"
@@ -22,12 +21,6 @@ constexpr int kMaxFineSearches = 4;
 /// Session cells by which the rotations of the coarse stage are put in order.
 constexpr int kScoutCells = 128;
 
-/// Pose of the session cells' centre in the searched reference grid.
-struct CentrePose {
-  double angle = 0.0;                  // [rad]
-  Eigen::Vector2d position{0.0, 0.0};  // [m]
-};
-
 /// One stage with all that it reads and writes.
 struct Stage {
   SessionCells session;
@@ -36,10 +29,6 @@ struct Stage {
   SearchOutcome outcome;
   StageReport report;
 };
-
-int minCount(double acceptance_ratio, std::size_t num_cells) {
-  return std::max(1, static_cast<int>(std::ceil(acceptance_ratio * static_cast<double>(num_cells) - 1e-9)));
-}
 
 /// Rotations that a stop cuts short stay empty; the search does not look at them then.
 void rotateCells(Stage& stage, const StopToken& stop) {
@@ -89,17 +78,14 @@ CentrePose poseOf(const Stage& stage) {
 /// The search of one session map in one reference map.
 class TwoStageSearch {
  public:
-  TwoStageSearch(const SearchReference& reference, const OccupancyGrid& session, const MatchOptions& options,
+  TwoStageSearch(const SearchReference& reference, const SearchSession& session, const MatchOptions& options,
                  const MatchPrior& prior, const StopToken& stop)
       : reference_(reference),
+        session_(session),
+        frames_(reference.T_reference_grid(), session.T_session_grid),
         options_(options),
         prior_(prior),
-        stop_(stop),
-        session_resolution_(session.resolution()),
-        cells_(occupiedCells(session, static_cast<std::int8_t>(options.occupied_threshold))) {
-    const double offset = -options.session_map_cell_offset * session.resolution();
-    T_session_grid_ = session.geometry().T_map_grid * Rigid2{offset, offset, 0.0};
-  }
+        stop_(stop) {}
 
   MatchResult run() {
     if (!checkInput()) {
@@ -128,14 +114,15 @@ class TwoStageSearch {
       setStatus(MatchStatus::kEmptyReference, "the reference map has no occupied cell");
       return false;
     }
-    if (cells_.empty() || static_cast<int>(cells_.size()) < options_.min_session_cells) {
-      reason << "the session map has " << cells_.size()
+    if (session_.cells.empty() || static_cast<int>(session_.cells.size()) < options_.min_session_cells) {
+      reason << "the session map has " << session_.cells.size()
              << " occupied cells, expected at least min_session_cells = " << std::max(1, options_.min_session_cells);
       setStatus(MatchStatus::kTooFewSessionCells, reason.str());
       return false;
     }
     const double diagonal =
-        prepareSessionCells(cells_, session_resolution_, reference_.resolution(), CellMerging::kNone, 1).diagonal;
+        prepareSessionCells(session_.cells, session_.resolution, reference_.resolution(), CellMerging::kNone, 1)
+            .diagonal;
     if (diagonal > kMaxSessionDiagonal) {
       reason << "the occupied cells of the session map span " << diagonal << " cells, expected at most "
              << kMaxSessionDiagonal;
@@ -148,8 +135,8 @@ class TwoStageSearch {
   // Algorithm 1 over all rotations at the coarse resolution.
   Stage searchCoarse() {
     Stopwatch watch;
-    Stage stage{prepareSessionCells(cells_, session_resolution_, reference_.coarseResolution(), CellMerging::kMerge,
-                                    options_.hits_sample_threshold),
+    Stage stage{prepareSessionCells(session_.cells, session_.resolution, reference_.coarseResolution(),
+                                    CellMerging::kMerge, options_.hits_sample_threshold),
                 {},
                 SearchProblem{reference_.coarse(), {}, {}, {}, 1, reference_.coarse().topLevel()},
                 {},
@@ -157,12 +144,13 @@ class TwoStageSearch {
     stage.report.name = "coarse";
     stage.report.rotation_step = rotationStep(options_.coarse.rotation_downsampling, stage.session.diagonal);
     stage.angles = allRotations(options_.coarse.rotation_downsampling, stage.session.diagonal);  // eq. 4.2, 4.3
-    stage.problem.min_count = minCount(options_.coarse.acceptance_ratio, stage.session.points.size());
+    stage.problem.min_count = minCount(options_.coarse.acceptance_ratio, static_cast<int>(stage.session.points.size()));
     stage.problem.root_level = std::min(stage.problem.root_level, downsamplingSteps(stage.session));
     applyHeadingPrior(stage);
     rotateCells(stage, stop_);
     for (const double angle : stage.angles) {
-      stage.problem.windows.push_back(priorWindow(stage, angle));
+      stage.problem.windows.push_back(
+          frames_.window(prior_.window, stage.session.centre, stage.session.resolution, angle));
     }
     if (!prior_.heading) {
       reorder(stage, promisingFirst(stage.problem, kScoutCells, stop_));
@@ -175,14 +163,14 @@ class TwoStageSearch {
   // Algorithm 1 again, at the map's own resolution, around the coarse answer (report section 3.2).
   Stage searchFine(const Stage& coarse) {
     Stopwatch watch;
-    Stage stage{prepareSessionCells(cells_, session_resolution_, reference_.resolution(), CellMerging::kNone,
+    Stage stage{prepareSessionCells(session_.cells, session_.resolution, reference_.resolution(), CellMerging::kNone,
                                     options_.hits_sample_threshold),
                 {},
                 SearchProblem{reference_.fine(), {}, {}, {}, 1, reference_.fine().topLevel()},
                 {},
                 {}};
     stage.report.name = "fine";
-    stage.problem.min_count = minCount(options_.fine.acceptance_ratio, stage.session.points.size());
+    stage.problem.min_count = minCount(options_.fine.acceptance_ratio, static_cast<int>(stage.session.points.size()));
     const FineWindow window =
         fineWindow(coarse.session.resolution / stage.session.resolution, options_.coarse.rotation_downsampling,
                    rotationStep(options_.coarse.rotation_downsampling, coarse.session.diagonal));
@@ -236,31 +224,7 @@ class TwoStageSearch {
     std::iota(stage.problem.order.begin(), stage.problem.order.end(), 0);
   }
 
-  double headingError(double angle) const {
-    const double yaw = reference_.T_reference_grid().yaw + angle - T_session_grid_.yaw;
-    return std::abs(normalizeAngle(yaw - prior_.heading->yaw));
-  }
-
-  /// Translations at which the origin of the session map frame lies in the prior's box, or in the box around it along
-  /// the axes of the reference grid where these are turned.
-  SearchWindow priorWindow(const Stage& stage, double angle) const {
-    constexpr int kFar = 1 << 28;
-    if (!prior_.window) {
-      return {{-kFar, -kFar}, {kFar, kFar}};
-    }
-    const Rigid2 T_grid_reference = reference_.T_reference_grid().inverse();
-    const Eigen::Vector2d centre = T_grid_reference * prior_.window->centre;
-    const Eigen::Vector2d half_size = T_grid_reference.rotation().cwiseAbs() * prior_.window->half_size;
-    const Eigen::Vector2d origin_in_grid = T_session_grid_.inverse().translation();
-    const Eigen::Vector2d origin_from_centre =
-        Rigid2{0.0, 0.0, angle} * Eigen::Vector2d(origin_in_grid - stage.session.centre);
-    const Eigen::Vector2d middle = (centre - origin_from_centre) / stage.session.resolution;
-    const Eigen::Vector2d reach = half_size / stage.session.resolution;
-    const Eigen::Vector2d first = (middle - reach).array().floor();
-    const Eigen::Vector2d last = (middle + reach).array().ceil();
-    const auto clamped = [](double value) { return static_cast<int>(std::clamp<double>(value, -kFar, kFar)); };
-    return {{clamped(first.x()), clamped(first.y())}, {clamped(last.x()), clamped(last.y())}};
-  }
+  double headingError(double angle) const { return frames_.headingError(*prior_.heading, angle); }
 
   void explainNoCoarseAnswer(const Stage& coarse) {
     if (coarse.outcome.stopped) {
@@ -274,11 +238,11 @@ class TwoStageSearch {
   }
 
   void answer(const Stage& stage, bool refined) {
-    const CentrePose pose = poseOf(stage);
-    const Rigid2 R{0.0, 0.0, pose.angle};
-    const Eigen::Vector2d t = pose.position - R * stage.session.centre;
-    const Rigid2 T_grids{t.x(), t.y(), pose.angle};
-    result_.T_reference_session = reference_.T_reference_grid() * T_grids * T_session_grid_.inverse();
+    result_.T_reference_session = frames_.mapPose(poseOf(stage), stage.session.centre);
+    const Eigen::Vector3d intervals(stage.report.resolution, stage.report.resolution, stage.report.rotation_step);
+    const Eigen::Matrix3d covariance =
+        Eigen::Vector3d(intervals.array().square() / 12.0).asDiagonal();  // evenly spread
+    result_.covariance = frames_.mapCovariance(covariance, poseOf(stage).angle, stage.session.centre);
     result_.refined = refined;
     result_.matched_cells = stage.report.matched_cells;
     result_.total_cells = stage.report.total_cells;
@@ -299,12 +263,11 @@ class TwoStageSearch {
   }
 
   const SearchReference& reference_;
+  const SearchSession& session_;
+  SearchFrames frames_;
   const MatchOptions& options_;
   const MatchPrior& prior_;
   const StopToken& stop_;
-  double session_resolution_;
-  std::vector<Cell> cells_;
-  Rigid2 T_session_grid_;
   MatchResult result_;
 };
 
@@ -315,12 +278,9 @@ FineWindow fineWindow(double cells_per_coarse_cell, double coarse_rotation_downs
   return {static_cast<int>(std::ceil(coarse_cells * cells_per_coarse_cell)), coarse_rotation_step};
 }
 
-MatchResult twoStageSearch(const SearchReference& reference, const OccupancyGrid& session, const MatchOptions& options,
+MatchResult twoStageSearch(const SearchReference& reference, const SearchSession& session, const MatchOptions& options,
                            const MatchPrior& prior, const StopToken& stop) {
-  Stopwatch watch;
-  MatchResult result = TwoStageSearch(reference, session, options, prior, stop).run();
-  result.search_time = watch.lap();
-  return result;
+  return TwoStageSearch(reference, session, options, prior, stop).run();
 }
 
 }  // namespace map_matcher

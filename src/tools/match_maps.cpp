@@ -27,7 +27,7 @@ constexpr int kNoMatch = 1;  // exit status
 struct Arguments {
   std::string reference;
   std::string session;
-  std::string search = "two_stage";
+  std::string search;  // empty: what the configuration says
   std::string config;
   std::string json;
   std::string overlay;
@@ -60,6 +60,17 @@ nlohmann::ordered_json toJson(const MatchResult& result) {
   json["ratio"] = result.ratio;
   json["matched_cells"] = result.matched_cells;
   json["total_cells"] = result.total_cells;
+  json["certified"] = result.certified;
+  json["replaced"] = result.replaced;
+  json["hit_ratio"] = result.hit_ratio;
+  json["hit_cells"] = result.hit_cells;
+  json["upper_bound"] = result.upper_bound;
+  json["runner_up"] = nullptr;
+  if (result.runner_up) {
+    const Rigid2& T = result.runner_up->T_reference_session;
+    json["runner_up"] = {{"x", T.x}, {"y", T.y}, {"yaw", T.yaw}, {"ratio", result.runner_up->ratio}};
+  }
+  json["margin"] = result.margin;
   json["search_time"] = result.search_time;
   json["reference_time"] = result.reference_time;
   json["stages"] = nlohmann::ordered_json::array();
@@ -89,6 +100,11 @@ void printSummary(const MatchResult& result) {
               << "ratio " << result.ratio << " (" << result.matched_cells << " of " << result.total_cells
               << " session cells)\n";
   }
+  if (result.total_cells > 0 && result.hit_cells > 0) {
+    std::cout << "hit ratio " << result.hit_ratio << ", " << (result.certified ? "certified" : "not certified")
+              << ", upper bound " << result.upper_bound << ", margin " << (result.runner_up ? "" : "at least ")
+              << result.margin << '\n';
+  }
   for (const StageReport& stage : result.stages) {
     std::cout << stage.name << " stage: " << stage.resolution << " m, " << stage.rotations << " rotations, ratio "
               << stage.ratio << ", " << stage.nodes_scored << " nodes scored, "
@@ -98,17 +114,20 @@ void printSummary(const MatchResult& result) {
   std::cout << "search " << 1e3 * result.search_time << " ms, reference " << 1e3 * result.reference_time << " ms\n";
 }
 
-/// Options from the configuration file, which is the node's.
-MatchOptions readOptions(const std::string& config) {
+/// Options from the configuration file, which is the node's, and from the command line.
+MatchOptions readOptions(const Arguments& arguments) {
   map_matcher::MapMatcherServerOptions options;
-  if (!config.empty()) {
-    loadYamlParameters(config, parametersOf(options));
+  if (!arguments.config.empty()) {
+    loadYamlParameters(arguments.config, parametersOf(options));
+  }
+  if (!arguments.search.empty()) {
+    options.match.search = arguments.search;
   }
   return options.match;
 }
 
 int matchMaps(const Arguments& arguments) {
-  const MatchOptions options = readOptions(arguments.config);
+  const MatchOptions options = readOptions(arguments);
   map_matcher::MapMatcher matcher(options);
   const OccupancyGrid reference = map_matcher::loadMap(arguments.reference);
   const OccupancyGrid session = map_matcher::loadMap(arguments.session);
@@ -131,8 +150,9 @@ int matchMaps(const Arguments& arguments) {
 void describe(CLI::App& app, Arguments& arguments) {
   app.add_option("--reference", arguments.reference, "YAML file of the reference map")->required();
   app.add_option("--session", arguments.session, "YAML file of the session map")->required();
-  app.add_option("--search", arguments.search, "how to search: two_stage (coarse, then fine)")
-      ->check(CLI::IsMember({"two_stage"}));
+  app.add_option("--search", arguments.search,
+                 "how to search: two_stage (coarse, then fine) or exact (and then the proof; the default)")
+      ->check(CLI::IsMember({"two_stage", "exact"}));
   app.add_option("--config", arguments.config, "parameters, as in config/map_matcher.yaml");
   app.add_option("--json", arguments.json, "write the result as JSON to this file; - for standard output alone");
   app.add_option("--overlay", arguments.overlay, "draw both maps on each other into this PNG file");

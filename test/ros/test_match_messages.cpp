@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
 
 #include "map_matcher/ros/match_messages.hpp"
 
@@ -30,10 +33,18 @@ MatchResult matchedResult() {
   result.status = MatchStatus::kMatched;
   result.reason = "80 of 100 cells";
   result.T_reference_session = {1.0, -2.0, M_PI / 2.0};
+  result.covariance << 1.0, 0.1, 0.2, 0.1, 2.0, 0.3, 0.2, 0.3, 3.0;
   result.refined = true;
   result.matched_cells = 80;
   result.total_cells = 100;
   result.ratio = 0.8;
+  result.certified = true;
+  result.replaced = true;
+  result.hit_cells = 90;
+  result.hit_ratio = 0.9;
+  result.upper_bound = 0.95;
+  result.runner_up = RunnerUp{{3.0, 4.0, 0.5}, 0.7};
+  result.margin = 0.2;
   result.stages = {stage("coarse", true, 0.2, 0.02), stage("fine", true, 0.05, 0.004)};
   result.search_time = 0.6;
   result.reference_time = 0.7;
@@ -51,10 +62,24 @@ TEST(MatchMessages, CarryEverythingOfAResult) {
   EXPECT_EQ(message.yaw, M_PI / 2.0);
   EXPECT_EQ(message.T_reference_session.translation.x, 1.0);
   EXPECT_NEAR(message.T_reference_session.rotation.z, std::sqrt(0.5), 1e-12);
+  EXPECT_EQ(message.covariance[1], 0.1);
+  EXPECT_EQ(message.covariance[5], 0.3);
+  EXPECT_EQ(message.covariance[8], 3.0);
   EXPECT_TRUE(message.refined);
   EXPECT_EQ(message.matched_cells, 80);
   EXPECT_EQ(message.total_cells, 100);
   EXPECT_EQ(message.ratio, 0.8);
+  EXPECT_TRUE(message.certified);
+  EXPECT_TRUE(message.replaced);
+  EXPECT_EQ(message.hit_cells, 90);
+  EXPECT_EQ(message.hit_ratio, 0.9);
+  EXPECT_EQ(message.upper_bound, 0.95);
+  EXPECT_TRUE(message.has_runner_up);
+  EXPECT_EQ(message.runner_up_x, 3.0);
+  EXPECT_EQ(message.runner_up_y, 4.0);
+  EXPECT_EQ(message.runner_up_yaw, 0.5);
+  EXPECT_EQ(message.runner_up_ratio, 0.7);
+  EXPECT_EQ(message.margin, 0.2);
   EXPECT_EQ(message.search_time, 0.6);
   EXPECT_EQ(message.reference_time, 0.7);
   ASSERT_EQ(message.stages.size(), 2U);
@@ -88,36 +113,40 @@ TEST(MatchMessages, HaveTheIdentityWhenNothingMatched) {
 }
 
 TEST(MatchMessages, NameEachStatusAsTheSearchDoes) {
-  for (const MatchStatus status : {MatchStatus::kMatched, MatchStatus::kBelowAcceptanceRatio, MatchStatus::kNoReference,
-                                   MatchStatus::kEmptyReference, MatchStatus::kTooFewSessionCells,
-                                   MatchStatus::kSessionTooLarge, MatchStatus::kStopped}) {
+  const std::vector<std::pair<MatchStatus, std::uint8_t>> statuses{
+      {MatchStatus::kMatched, MapMatch::MATCHED},
+      {MatchStatus::kBelowAcceptanceRatio, MapMatch::BELOW_ACCEPTANCE_RATIO},
+      {MatchStatus::kNoReference, MapMatch::NO_REFERENCE},
+      {MatchStatus::kEmptyReference, MapMatch::EMPTY_REFERENCE},
+      {MatchStatus::kTooFewSessionCells, MapMatch::TOO_FEW_SESSION_CELLS},
+      {MatchStatus::kSessionTooLarge, MapMatch::SESSION_TOO_LARGE},
+      {MatchStatus::kStopped, MapMatch::STOPPED},
+      {MatchStatus::kNotCertified, MapMatch::NOT_CERTIFIED},
+      {MatchStatus::kAmbiguous, MapMatch::AMBIGUOUS},
+  };
+  for (const auto& [status, constant] : statuses) {
     MatchResult result;
     result.status = status;
-    EXPECT_EQ(toMessage(result).status, static_cast<std::uint8_t>(status));
+    EXPECT_EQ(toMessage(result).status, constant);
     EXPECT_EQ(toMessage(result).status_text, toString(status));
   }
 }
 
-TEST(MatchMessages, PlaceTheRobotWithTheUncertaintyOfTheFineStage) {
-  const auto pose = robotPose(toMessage(matchedResult()), {3.0, 0.5, -M_PI / 2.0});
+TEST(MatchMessages, PlaceTheRobotWithTheUncertaintyOfTheMatch) {
+  MatchResult result = matchedResult();
+  result.covariance = Eigen::Vector3d(0.01, 0.02, 0.001).asDiagonal();
+
+  const auto pose = robotPose(toMessage(result), {3.0, 0.5, -M_PI / 2.0});
 
   EXPECT_NEAR(pose.pose.position.x, 0.5, 1e-12);
   EXPECT_NEAR(pose.pose.position.y, 1.0, 1e-12);
   EXPECT_NEAR(pose.pose.orientation.w, 1.0, 1e-12);
-  EXPECT_NEAR(pose.covariance[0], 0.05 * 0.05 / 12.0, 1e-12);
-  EXPECT_NEAR(pose.covariance[7], 0.05 * 0.05 / 12.0, 1e-12);
-  EXPECT_NEAR(pose.covariance[35], 0.004 * 0.004 / 12.0, 1e-12);
-}
-
-TEST(MatchMessages, PlaceTheRobotWithTheUncertaintyOfTheCoarseStageWhenItsAnswerStands) {
-  MatchResult result = matchedResult();
-  result.refined = false;
-  result.stages[1].answered = false;
-
-  const auto pose = robotPose(toMessage(result), {});
-
-  EXPECT_NEAR(pose.covariance[0], 0.2 * 0.2 / 12.0, 1e-12);
-  EXPECT_NEAR(pose.covariance[35], 0.02 * 0.02 / 12.0, 1e-12);
+  // The robot is (-0.5, 3) m from the origin of the session map, along the axes of the reference map.
+  EXPECT_NEAR(pose.covariance[0], 0.01 + 9.0 * 0.001, 1e-12);
+  EXPECT_NEAR(pose.covariance[7], 0.02 + 0.25 * 0.001, 1e-12);
+  EXPECT_NEAR(pose.covariance[1], 1.5 * 0.001, 1e-12);
+  EXPECT_NEAR(pose.covariance[5], -3.0 * 0.001, 1e-12);
+  EXPECT_NEAR(pose.covariance[35], 0.001, 1e-12);
 }
 
 }  // namespace

@@ -180,17 +180,19 @@ TEST(MapMatcher, WindowPriorNarrowsTheSearchToItsBox) {
   EXPECT_TRUE(!other.matched() || (other.T_reference_session.translation() - scene.truth.translation()).norm() > 4.0);
 }
 
-TEST(MapMatcher, ReportsBothStagesAndWhatTheyTook) {
+TEST(MapMatcher, ReportsEachStageAndWhatItTook) {
   const Scene scene(14);
 
   const MatchResult result = match(scene);
 
-  ASSERT_EQ(result.stages.size(), 2U);
+  ASSERT_EQ(result.stages.size(), 3U);
   EXPECT_EQ(result.stages[0].name, "coarse");
   EXPECT_DOUBLE_EQ(result.stages[0].resolution, 0.2);
   EXPECT_EQ(result.stages[1].name, "fine");
   EXPECT_DOUBLE_EQ(result.stages[1].resolution, kResolution);
-  EXPECT_EQ(result.matched_cells, result.stages[1].matched_cells);
+  EXPECT_EQ(result.stages[2].name, "exact");
+  EXPECT_DOUBLE_EQ(result.stages[2].resolution, kResolution);
+  EXPECT_EQ(result.hit_cells, result.stages[2].matched_cells);
   EXPECT_DOUBLE_EQ(result.ratio, static_cast<double>(result.matched_cells) / result.total_cells);
   for (const StageReport& stage : result.stages) {
     EXPECT_GT(stage.nodes_scored, 0);
@@ -204,6 +206,7 @@ TEST(MapMatcher, ReportsBothStagesAndWhatTheyTook) {
 TEST(MapMatcher, KeepsTheCoarseAnswerWhenTheFineStageHasNone) {
   const Scene scene(15);
   MatchOptions options;
+  options.search = "two_stage";
   options.fine.acceptance_ratio = 1.0;  // no real session reaches it
 
   const MatchResult result = match(scene, options);
@@ -276,11 +279,15 @@ TEST(MapMatcher, SessionTooLargeForItsArithmeticIsAReason) {
 TEST(MapMatcher, SessionsOfOneCellOrOneSpotAreAnswered) {
   MatchOptions options;
   options.min_session_cells = 1;
-  MapMatcher matcher(options);
-  matcher.setReference(test::asciiMap({"#.#", "...", "###"}));
+  for (const char* search : {"two_stage", "exact"}) {
+    options.search = search;
+    MapMatcher matcher(options);
+    matcher.setReference(test::asciiMap({"#.#", "...", "###"}));
+    const MatchStatus expected = options.search == "exact" ? MatchStatus::kAmbiguous : MatchStatus::kMatched;
 
-  EXPECT_TRUE(matcher.match(test::asciiMap({"#"})).matched());
-  EXPECT_TRUE(matcher.match(test::asciiMap({"...", ".#.", "..."}, 0.1)).matched());
+    EXPECT_EQ(matcher.match(test::asciiMap({"#"})).status, expected);
+    EXPECT_EQ(matcher.match(test::asciiMap({"...", ".#.", "..."}, 0.1)).status, expected);
+  }
 }
 
 TEST(MapMatcher, SessionLargerThanTheReferenceIsAnswered) {
@@ -288,7 +295,9 @@ TEST(MapMatcher, SessionLargerThanTheReferenceIsAnswered) {
   const OccupancyGrid large = test::randomBuilding(random, 20.0, 12.0, kResolution);
   const OccupancyGrid part = test::cutSession(large, {10.0, 6.0}, 7.0, {}, kResolution);
   MatchOptions options;
-  options.coarse.acceptance_ratio = 0.1;
+  options.coarse.acceptance_ratio = options.min_hit_ratio =
+      0.09;  // of what the session holds, the reference has no more
+  options.min_margin = 0.02;
   MapMatcher matcher(options);
   matcher.setReference(part);
 

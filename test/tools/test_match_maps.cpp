@@ -68,8 +68,37 @@ TEST_F(MatchMaps, PrintsNothingButTheResultAsJsonWhenAskedTo) {
               json.at("matched_cells").get<double>() / json.at("total_cells").get<double>(), 1e-9);
   EXPECT_GT(json.at("search_time"), 0.0);
   EXPECT_GT(json.at("reference_time"), 0.0);
-  ASSERT_EQ(json.at("stages").size(), 2U);
+  ASSERT_EQ(json.at("stages").size(), 3U);
   EXPECT_EQ(json.at("stages")[0].at("name"), "coarse");
+  EXPECT_EQ(json.at("stages")[2].at("name"), "exact");
+  EXPECT_EQ(json.at("certified"), true);
+  EXPECT_EQ(json.at("upper_bound"), json.at("hit_ratio"));
+  EXPECT_TRUE(json.at("runner_up").is_null());
+  EXPECT_GE(json.at("margin"), 0.1);
+}
+
+TEST_F(MatchMaps, SearchesInTwoStagesAloneWhenAskedTo) {
+  const Run match = run(maps() + " --search two_stage --json -");
+
+  ASSERT_EQ(match.status, 0) << match.errors;
+  const auto json = nlohmann::json::parse(match.output);
+  EXPECT_EQ(json.at("stages").size(), 2U);
+  EXPECT_EQ(json.at("certified"), false);
+}
+
+TEST_F(MatchMaps, ShowsTheRunnerUpWhenItIsNearlyAsGood) {
+  std::ofstream(file("config.yaml")) << "min_margin: 0.9\n";
+
+  const Run match = run(maps() + " --config '" + file("config.yaml") + "' --search exact --json -");
+
+  EXPECT_EQ(match.status, 1) << match.errors;
+  const auto json = nlohmann::json::parse(match.output);
+  EXPECT_EQ(json.at("status"), "ambiguous");
+  EXPECT_NEAR(json.at("runner_up").at("ratio").get<double>(),
+              json.at("hit_ratio").get<double>() - json.at("margin").get<double>(), 1e-9);
+  for (const char* key : {"x", "y", "yaw"}) {
+    EXPECT_TRUE(json.at("runner_up").at(key).is_number()) << key;
+  }
 }
 
 TEST_F(MatchMaps, WritesJsonAndPictureToFiles) {
@@ -82,7 +111,7 @@ TEST_F(MatchMaps, WritesJsonAndPictureToFiles) {
 }
 
 TEST_F(MatchMaps, WithoutAcceptableMatchExitsWithOneAndTheReason) {
-  std::ofstream(file("config.yaml")) << "acceptance_ratio: 1.0\ncoarse_resolution: 0.05\n";
+  std::ofstream(file("config.yaml")) << "acceptance_ratio: 1.0\ncoarse_resolution: 0.05\nhit_tolerance: 0.0\n";
 
   const Run match = run(maps() + " --config '" + file("config.yaml") + "' --json -");
 

@@ -19,10 +19,9 @@ MapMatch toMessage(const MatchResult& result);
 /// INVALID_REQUEST.
 MapMatch refusal(std::uint8_t status, const std::string& reason);
 
-/// The robot's pose in the reference map, given its pose in the session map. The covariance is what one match tells:
-/// that the answer lies within a cell and a rotation step of the stage that gave it, evenly spread (variance = edge^2 /
-/// 12). It holds nothing of errors of the maps, and z, roll and pitch, which are zero in a plane, have none.
-/// `match.status` is MATCHED.
+/// The robot's pose in the reference map, given its pose in the session map, with the covariance of the match
+/// (MatchResult::covariance) carried over. z, roll and pitch, which are zero in a plane, have none. `match.status` is
+/// MATCHED.
 geometry_msgs::PoseWithCovariance robotPose(const MapMatch& match, const Rigid2& T_session_base);
 
 }  // namespace map_matcher

@@ -2,7 +2,9 @@
 /// The answer of a match: a pose, or the reason why there is none, and what it took.
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,12 +15,14 @@ namespace map_matcher {
 /// Outcome of a match.
 enum class MatchStatus {
   kMatched,               ///< There is an acceptable pose.
-  kBelowAcceptanceRatio,  ///< No pose reaches the acceptance ratio of the coarse stage.
+  kBelowAcceptanceRatio,  ///< No pose reaches the acceptance ratio; with the exact search, that is proven.
   kNoReference,           ///< No reference map was set.
   kEmptyReference,        ///< The reference map has no occupied cell.
   kTooFewSessionCells,    ///< The session map has fewer than min_session_cells occupied cells.
   kSessionTooLarge,       ///< The session map is too large for the search's arithmetic.
   kStopped,               ///< The stop token was set before there was an answer.
+  kNotCertified,          ///< The deadline came before the proof that no pose is better, or none elsewhere as good.
+  kAmbiguous,             ///< A place elsewhere matches nearly as well.
 };
 
 /// The status in snake_case, as JSON output and messages have it ("matched", "below_acceptance_ratio", ...).
@@ -26,12 +30,12 @@ const char* toString(MatchStatus status);
 
 /// What one branch-and-bound stage did. The three times are those of the report's figure 9.
 struct StageReport {
-  std::string name;                      ///< "coarse" or "fine".
-  bool answered = false;                 ///< Whether a pose reached the stage's acceptance ratio.
+  std::string name;                      ///< "coarse", "fine" or "exact".
+  bool answered = false;                 ///< Whether a pose reached the stage's acceptance ratio; exact: and is proven.
   double resolution = 0.0;               ///< Edge length of the stage's cells [m].
   int rotations = 0;                     ///< Rotations of the session map that were searched, eq. 4.3.
   double rotation_step = 0.0;            ///< Angle between two of them, eq. 4.2 [rad].
-  int matched_cells = 0;                 ///< Session cells of the stage on walls at its best pose [cells].
+  int matched_cells = 0;                 ///< Session cells of the stage on walls at its best pose [cells]; exact: hits.
   int total_cells = 0;                   ///< Session cells of the stage [cells].
   double ratio = 0.0;                    ///< matched_cells / total_cells of the stage's best pose.
   std::int64_t nodes_scored = 0;         ///< Nodes whose score was computed.
@@ -41,16 +45,36 @@ struct StageReport {
   double depth_first_search_time = 0.0;  ///< Algorithm 1 from line 11 on [s].
 };
 
+/// A place other than that of the answer: MatchOptions::distinct_distance or distinct_angle away from it.
+struct RunnerUp {
+  Rigid2 T_reference_session;  ///< p_reference = T_reference_session * p_session.
+  double ratio = 0.0;          ///< Its hits / session cells, to compare with MatchResult::hit_ratio.
+};
+
 /// The answer of MapMatcher::match.
 struct MatchResult {
   MatchStatus status = MatchStatus::kNoReference;
-  std::string reason;               ///< One sentence with the figures behind the status.
-  Rigid2 T_reference_session;       ///< p_reference = T_reference_session * p_session; valid when kMatched.
-  bool refined = false;             ///< Whether the pose is the fine stage's; false: the coarse answer stands.
-  int matched_cells = 0;            ///< Session cells on walls of the reference at the pose [cells].
-  int total_cells = 0;              ///< Session cells looked at [cells].
-  double ratio = 0.0;               ///< matched_cells / total_cells.
-  std::vector<StageReport> stages;  ///< Coarse, then fine; empty when no stage ran.
+  std::string reason;          ///< One sentence with the figures behind the status.
+  Rigid2 T_reference_session;  ///< p_reference = T_reference_session * p_session; valid when kMatched. When
+                               ///< kNotCertified or kAmbiguous: the best pose so far, not to be relied on.
+  /// Of (x, y, yaw) of T_reference_session [m, m, rad], when kMatched: from the curvature around the refined pose, or
+  /// without exact search that of a cell and a rotation step. It holds what the drawing of both maps in cells leaves
+  /// open, nothing of bent maps.
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  bool refined = false;   ///< Whether the pose is of the map's own resolution; false: the coarse answer stands.
+  int matched_cells = 0;  ///< Session cells on walls of the reference at the pose [cells].
+  int total_cells = 0;    ///< Session cells looked at [cells].
+  double ratio = 0.0;     ///< matched_cells / total_cells.
+
+  bool certified = false;  ///< Whether it is proven that no pose has more hits; false without exact search.
+  bool replaced = false;   ///< Whether the exact search found a better place than the two stages.
+  int hit_cells = 0;  ///< Session cells within hit_tolerance of a wall at the pose [cells]; 0 without exact search.
+  double hit_ratio = 0.0;             ///< hit_cells / total_cells, which the exact search makes as large as can be.
+  double upper_bound = 1.0;           ///< No pose has a larger hit ratio; equal to hit_ratio when certified.
+  std::optional<RunnerUp> runner_up;  ///< The best place elsewhere, unless it is worse by more than min_margin.
+  double margin = 0.0;                ///< hit_ratio less that of the runner-up; without one, margin is at least this.
+
+  std::vector<StageReport> stages;  ///< Coarse, fine, exact; empty when no stage ran.
   double search_time = 0.0;         ///< The whole match without reference_time [s].
   double reference_time = 0.0;      ///< Building what depends only on the reference map, done once for each [s].
 

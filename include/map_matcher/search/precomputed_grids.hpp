@@ -15,6 +15,36 @@ constexpr int kMaxTileColumns = 64;
 /// Most rows of translations that the scoring kernel counts at once.
 constexpr int kMaxTileRows = 12;
 
+/// Cells of a map as bytes, 1 for a wall, row-major, with room around it.
+class WallArray {
+ public:
+  /// `margin` zeros on every side of width x height cells.
+  WallArray(int width, int height, int margin);
+
+  /// Draws a wall, in or beside the map; one beyond the margin is ignored.
+  void draw(int x, int y);
+
+  /// Lets every value stand for the cells [x, x + window) x [y, y + window), from the `old_window` it stands for.
+  /// Values whose window would leave the array keep a smaller one; they lie in the margin beyond all walls.
+  void growWindow(int old_window, int window);
+
+  int margin() const { return margin_; }  ///< [cells]
+
+  /// The row of values from x = 0 on; negative x reach into the margin.
+  const std::uint8_t* row(int y) const { return values_.data() + index(0, y); }
+
+ private:
+  std::ptrdiff_t index(int x, int y) const {
+    return static_cast<std::ptrdiff_t>(y + margin_) * row_length_ + x + margin_;
+  }
+  void mergeShifted(std::ptrdiff_t shift);
+
+  int margin_;
+  std::ptrdiff_t row_length_;
+  std::ptrdiff_t num_rows_;
+  std::vector<std::uint8_t> values_;
+};
+
 /// One level of the pooled reference map. The value at (x, y) is 1 when a wall lies in the window
 /// [x, x + 2^level) x [y, y + 2^level) and 0 otherwise: a sliding window at full resolution, so that a node's score is
 /// a true upper bound for all translations it stands for.
@@ -25,8 +55,10 @@ constexpr int kMaxTileRows = 12;
 /// beyond it are clamped into it, so that a tile needs no range check.
 class PooledLevel {
  public:
-  /// `pooled` holds the values for x in [-margin, width + margin), y alike, row-major.
-  PooledLevel(int level, int width, int height, int margin, const std::vector<std::uint8_t>& pooled);
+  /// Takes the values for x in [1 - 2^level, width), y alike, from `pooled`, whose cell (-shift, -shift) becomes (0,
+  /// 0). `pooled` has a margin of at least 2^level - 1 + shift. Throws std::invalid_argument for a level of more than 2
+  /// GiB.
+  PooledLevel(int level, int width, int height, const WallArray& pooled, int shift = 0);
 
   int level() const { return level_; }
   int stride() const { return 1 << level_; }  ///< Translations a node of this level stands for, along an axis [cells].

@@ -9,6 +9,7 @@
 
 #include "map_matcher/search/precomputed_grids.hpp"
 #include "map_matcher/search/rotations.hpp"
+#include "map_matcher/search/weighted_cells.hpp"
 
 namespace map_matcher {
 
@@ -47,6 +48,12 @@ class ScoreKernel {
 
   /// The same for the four translations first + {0, stride} x {0, stride}: (0, 0), (1, 0), (0, 1), (1, 1).
   bool scoreChildren(const PooledLevel& level, const RotatedCells& cells, const Cell& first, std::int32_t min_count,
+                     std::array<std::int32_t, 4>& counts) const;
+
+  /// The same two for cells of which some count more than once.
+  bool scoreTile(TileShape shape, const PooledLevel& level, const WeightedCells& cells, const Cell& first,
+                 std::int32_t min_count, TileCounts& counts) const;
+  bool scoreChildren(const PooledLevel& level, const WeightedCells& cells, const Cell& first, std::int32_t min_count,
                      std::array<std::int32_t, 4>& counts) const;
 
   struct Functions;

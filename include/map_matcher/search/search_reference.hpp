@@ -2,13 +2,17 @@
 /// What depends only on the reference map, built once for each.
 #pragma once
 
+#include <optional>
+
 #include "map_matcher/grid/occupancy_grid.hpp"
 #include "map_matcher/search/match_options.hpp"
 #include "map_matcher/search/precomputed_grids.hpp"
+#include "map_matcher/search/widened_grids.hpp"
 
 namespace map_matcher {
 
-/// The reference map at the resolutions of both stages. Immutable, hence thread-safe.
+/// The reference map at the resolutions of both stages, and for the exact search if options.search says so. Immutable,
+/// hence thread-safe.
 class SearchReference {
  public:
   /// Highest levels of the initial nodes. The report starts at H of eq. 4.1, where a node is as wide as the session
@@ -24,6 +28,7 @@ class SearchReference {
   double coarseResolution() const { return coarse_resolution_; }  ///< Of the coarse stage [m].
   const PrecomputedGrids& fine() const { return fine_; }
   const PrecomputedGrids& coarse() const { return coarse_; }
+  const WidenedGrids& exact() const { return *exact_; }  ///< Of options.search = "exact" alone.
   bool hasWalls() const { return fine_.firstWall().x <= fine_.lastWall().x; }
 
   /// Pose of the searched grids' corner in the reference map frame: the map's origin, with reference_map_cell_offset.
@@ -35,7 +40,11 @@ class SearchReference {
   Rigid2 T_reference_grid_;
   PrecomputedGrids fine_;
   PrecomputedGrids coarse_;
+  std::optional<WidenedGrids> exact_;
 };
+
+/// Highest level of the exact search: nodes of up to 1.6 m. Wider ones match nearly everything in a building.
+int exactTopLevel(double resolution);
 
 /// The halving resolution * 2^k, k >= 0, nearest to `coarse_resolution` on a logarithmic scale [m]: 0.16 m or 0.2 m for
 /// maps of 2 cm or 5 cm and a coarse resolution of 0.2 m.

@@ -6,6 +6,8 @@
 
 #include "map_matcher/search/precomputed_grids.hpp"
 #include "map_matcher/search/rotations.hpp"
+#include "map_matcher/search/weighted_cells.hpp"
+#include "map_matcher/search/widened_grids.hpp"
 
 namespace map_matcher {
 
@@ -17,11 +19,22 @@ struct SearchWindow {
   bool empty() const { return last.x < first.x || last.y < first.y; }
 };
 
+/// A window of all translations that a search can tell apart.
+constexpr SearchWindow everywhere() {
+  constexpr int kFar = 1 << 28;  // [cells]
+  return {{-kFar, -kFar}, {kFar, kFar}};
+}
+
 /// Translations that both windows hold.
 SearchWindow intersection(const SearchWindow& a, const SearchWindow& b);
 
 /// Smallest window that holds every translation at which at least `min_matches` of the rotated cells lie within the
 /// bounding box of the reference's walls. No translation outside it can match as many, so nothing is lost.
 SearchWindow reachableWindow(const PrecomputedGrids& reference, const RotatedCells& cells, int min_matches);
+
+/// The same for the cells of a node of the exact search: a window for the translations at which any pose of the node
+/// has at least `min_matches`.
+SearchWindow reachableWindow(const WidenedGrids& reference, const BlockShape& shape, const WeightedCells& cells,
+                             int min_matches);
 
 }  // namespace map_matcher

@@ -2,10 +2,10 @@
 /// The report's two-stage search (sections 3.1 and 3.2).
 #pragma once
 
-#include "map_matcher/grid/occupancy_grid.hpp"
 #include "map_matcher/search/match_options.hpp"
 #include "map_matcher/search/match_prior.hpp"
 #include "map_matcher/search/match_result.hpp"
+#include "map_matcher/search/search_frames.hpp"
 #include "map_matcher/search/search_reference.hpp"
 #include "map_matcher/search/stop_token.hpp"
 
@@ -26,8 +26,8 @@ struct FineWindow {
 FineWindow fineWindow(double cells_per_coarse_cell, double coarse_rotation_downsampling, double coarse_rotation_step);
 
 /// Coarse stage over all rotations and all translations, then fine stage around its answer. Fills everything of the
-/// result but reference_time. Returns within 50 ms of a stop.
-MatchResult twoStageSearch(const SearchReference& reference, const OccupancyGrid& session, const MatchOptions& options,
+/// result but the times of the whole match and what the exact search adds. Returns within 50 ms of a stop.
+MatchResult twoStageSearch(const SearchReference& reference, const SearchSession& session, const MatchOptions& options,
                            const MatchPrior& prior, const StopToken& stop);
 
 }  // namespace map_matcher

@@ -1,0 +1,69 @@
+/// \file
+/// The part of an exact search that one thread does.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "map_matcher/search/exact_search.hpp"
+#include "quarry.hpp"
+
+namespace map_matcher {
+
+/// An initial node of a block of rotations.
+struct RootNode {
+  std::int32_t bound;
+  Cell first;
+};
+
+/// The initial nodes of a block of rotations.
+struct RotationBlock {
+  int first_rotation = 0;
+  bool stored = false;  // whether `roots` holds its nodes, the best first
+  std::int32_t best_bound = 0;
+  std::vector<RootNode> roots;
+};
+
+/// Work of one thread: scores initial nodes and searches below them, block by block.
+class BlockSearch {
+ public:
+  BlockSearch(const ExactProblem& problem, const ExactSettings& settings, int root_level)
+      : problem_(problem), settings_(settings), root_level_(root_level) {}
+
+  std::int64_t nodesScored() const { return nodes_scored_; }
+  std::int64_t nodesExpanded() const { return nodes_expanded_; }
+
+  /// Bound of what the deadline left of the last block [cells].
+  std::int32_t unsearchedBound() const { return unsearched_bound_; }
+
+  /// Scores the initial nodes of a block and keeps those that reach `min_count`, the best first. False when the
+  /// deadline passed before that.
+  bool scoreRoots(RotationBlock& block, std::int32_t min_count);
+
+  /// Searches below the initial nodes of a block. False when the deadline passed before that.
+  bool searchBelow(const RotationBlock& block, Quarry& quarry);
+
+ private:
+  SearchWindow windowOf(int first_rotation, const BlockShape& shape) const;
+  void scoreTile(TileShape tile, const WeightedCells& cells, const Cell& first, const Cell& last,
+                 std::int32_t min_count, std::vector<RootNode>& roots);
+  bool searchBelow(const ExactNode& root, Quarry& quarry);
+  void expand(const ExactNode& node, std::int32_t min_count);
+  void addChildren(const ExactNode& lower_left, std::int32_t min_count);
+  const WeightedCells& cellsOf(const BlockShape& shape, int rotation);
+
+  const ExactProblem& problem_;
+  const ExactSettings& settings_;
+  int root_level_;
+  CellMerger merger_;
+  TileCounts tile_;
+  int first_rotation_ = 0;
+  std::vector<std::optional<WeightedCells>> block_cells_;
+  std::vector<ExactNode> nodes_;
+  std::int32_t unsearched_bound_ = 0;
+  std::int64_t nodes_scored_ = 0;
+  std::int64_t nodes_expanded_ = 0;
+};
+
+}  // namespace map_matcher

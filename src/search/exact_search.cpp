@@ -1,0 +1,192 @@
+#include "map_matcher/search/exact_search.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <functional>
+#include <thread>
+#include <utility>
+
+#include "block_search.hpp"
+#include "map_matcher/search/stopwatch.hpp"
+#include "root_level.hpp"
+
+namespace map_matcher {
+namespace {
+
+/// Initial nodes that are kept, 12 bytes each; those of further blocks are scored again when their turn comes.
+constexpr std::int64_t kMostStoredNodes = std::int64_t{1} << 23;
+
+/// All threads of a search and what they share.
+class ExactSearch {
+ public:
+  ExactSearch(const ExactProblem& problem, const ExactSettings& settings) : problem_(problem), settings_(settings) {
+    Stopwatch watch;
+    const int level =
+        settings.root_level ? *settings.root_level : cheapestRootLevel(problem, settings, firstThreshold());
+    outcome_.root_time = watch.lap();
+    for (int thread = 0; thread < std::max(1, settings.threads); ++thread) {
+      searches_.emplace_back(problem_, settings_, level);
+    }
+    for (int first = 0; first < problem.rotations.count(); first += 1 << level) {
+      RotationBlock block;
+      block.first_rotation = first;
+      blocks_.push_back(block);
+    }
+  }
+
+  ExactOutcome run() {
+    outcome_.upper_bound = outcome_.runner_up_bound = problem_.rotations.numCells();
+    findBest();
+    if (outcome_.best && outcome_.best_proven) {
+      findRunnerUp();
+    }
+    outcome_.runner_up_proven |= outcome_.best_proven && !outcome_.best;
+    for (const BlockSearch& search : searches_) {
+      outcome_.nodes_scored += search.nodesScored();
+      outcome_.nodes_expanded += search.nodesExpanded();
+    }
+    outcome_.stopped = settings_.deadline.stopped() && !(outcome_.best_proven && outcome_.runner_up_proven);
+    return outcome_;
+  }
+
+ private:
+  std::int32_t runnerUpThreshold(std::int32_t best) const { return std::max(1, best - problem_.runner_up_gap); }
+
+  /// Calls work(search, block) for all blocks, each once, on all threads, until a call returns false; whether none did.
+  template <typename Work>
+  bool forEachBlock(const Work& work) {
+    std::atomic<std::size_t> next{0};
+    std::atomic<bool> complete{true};
+    const auto run = [&](BlockSearch& search) {
+      for (std::size_t n = next++; n < blocks_.size() && complete; n = next++) {
+        if (!work(search, blocks_[n])) {
+          complete = false;
+        }
+      }
+    };
+    std::vector<std::thread> others;
+    for (std::size_t thread = 1; thread < searches_.size(); ++thread) {
+      others.emplace_back(run, std::ref(searches_[thread]));
+    }
+    run(searches_.front());
+    for (std::thread& other : others) {
+      other.join();
+    }
+    return complete;
+  }
+
+  /// Scores the initial nodes that reach `threshold` and sorts the blocks, the best first. False when the deadline
+  /// passed before that.
+  bool scoreRoots(std::int32_t threshold) {
+    Stopwatch watch;
+    root_threshold_ = threshold;
+    std::atomic<std::int64_t> num_stored{0};
+    const bool complete = forEachBlock([&](BlockSearch& search, RotationBlock& block) {
+      if (!search.scoreRoots(block, threshold)) {
+        return false;
+      }
+      const auto size = static_cast<std::int64_t>(block.roots.size());
+      block.stored = (num_stored += size) <= kMostStoredNodes;
+      if (!block.stored) {
+        num_stored -= size;
+        block.roots = {};
+      }
+      return true;
+    });
+    if (complete) {
+      std::sort(blocks_.begin(), blocks_.end(), [](const RotationBlock& a, const RotationBlock& b) {
+        return std::make_pair(-a.best_bound, a.first_rotation) < std::make_pair(-b.best_bound, b.first_rotation);
+      });
+    }
+    outcome_.root_time += watch.lap();
+    return complete;
+  }
+
+  /// Searches below all initial nodes that may hold the quarry. `unsearched` becomes a bound for what the deadline
+  /// left.
+  bool hunt(Quarry& quarry, std::int32_t& unsearched) {
+    Stopwatch watch;
+    std::atomic<std::int32_t> bound{0};
+    const bool complete = forEachBlock([&](BlockSearch& search, RotationBlock& block) {
+      if (block.best_bound < quarry.threshold()) {
+        return true;
+      }
+      if (block.stored) {
+        return searchBelow(search, block, quarry, bound);
+      }
+      RotationBlock again;
+      again.first_rotation = block.first_rotation;
+      if (search.scoreRoots(again, quarry.threshold())) {
+        return searchBelow(search, again, quarry, bound);
+      }
+      raise(bound, block.best_bound);
+      return false;
+    });
+    // The blocks are sorted: none that was not begun has a higher bound than one that was not finished.
+    unsearched = bound;
+    outcome_.below_time += watch.lap();
+    return complete;
+  }
+
+  static bool searchBelow(BlockSearch& search, const RotationBlock& block, Quarry& quarry,
+                          std::atomic<std::int32_t>& unsearched) {
+    if (search.searchBelow(block, quarry)) {
+      return true;
+    }
+    raise(unsearched, search.unsearchedBound());
+    return false;
+  }
+
+  static void raise(std::atomic<std::int32_t>& value, std::int32_t to) {
+    std::int32_t old = value;
+    while (old < to && !value.compare_exchange_weak(old, to)) {
+    }
+  }
+
+  std::int32_t bestThreshold() const { return std::max({1, problem_.min_count, problem_.known_count}); }
+
+  /// What the first initial nodes reach. Where a pose is known, they serve the search for the runner-up as well.
+  std::int32_t firstThreshold() const {
+    const bool known = problem_.known_count >= problem_.min_count;
+    return known ? std::min(bestThreshold(), runnerUpThreshold(bestThreshold())) : bestThreshold();
+  }
+
+  void findBest() {
+    const std::int32_t threshold = bestThreshold();
+    if (!scoreRoots(firstThreshold())) {
+      return;
+    }
+    Quarry quarry(threshold);
+    std::int32_t unsearched = 0;
+    outcome_.best_proven = hunt(quarry, unsearched);
+    outcome_.best = quarry.best();
+    outcome_.upper_bound = std::max(outcome_.best ? outcome_.best->count : threshold - 1, unsearched);
+  }
+
+  void findRunnerUp() {
+    const std::int32_t threshold = runnerUpThreshold(outcome_.best->count);
+    if (threshold < root_threshold_ && !scoreRoots(threshold)) {
+      return;
+    }
+    Quarry quarry(threshold, Surroundings(*outcome_.best, problem_));
+    std::int32_t unsearched = 0;
+    outcome_.runner_up_proven = hunt(quarry, unsearched);
+    outcome_.runner_up = quarry.best();
+    outcome_.runner_up_bound = std::max(outcome_.runner_up ? outcome_.runner_up->count : threshold - 1, unsearched);
+  }
+
+  const ExactProblem& problem_;
+  const ExactSettings& settings_;
+  std::vector<BlockSearch> searches_;
+  std::vector<RotationBlock> blocks_;
+  std::int32_t root_threshold_ = 0;  // that the initial nodes at hand reach
+  ExactOutcome outcome_;
+};
+
+}  // namespace
+
+ExactOutcome exactSearch(const ExactProblem& problem, const ExactSettings& settings) {
+  return ExactSearch(problem, settings).run();
+}
+
+}  // namespace map_matcher

@@ -1,0 +1,108 @@
+/// \file
+/// What the threads of an exact search hunt for together.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <mutex>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include "map_matcher/grid/rigid2.hpp"
+#include "map_matcher/search/exact_search.hpp"
+
+namespace map_matcher {
+
+/// A node of the exact search: poses first + [0, 2^level)^2 of the rotations rotation + [0, 2^level).
+struct ExactNode {
+  std::int32_t bound;  // no pose of the node has more matched cells
+  int rotation;
+  Cell first;
+  int level;
+};
+
+/// Whether pose `a` is better than pose `b`.
+inline bool better(const SearchPose& a, const SearchPose& b) {
+  return std::make_tuple(-a.count, a.rotation, a.translation.y, a.translation.x) <
+         std::make_tuple(-b.count, b.rotation, b.translation.y, b.translation.x);
+}
+
+/// Tells poses elsewhere from those around a winner.
+class Surroundings {
+ public:
+  Surroundings(const SearchPose& winner, const ExactProblem& problem)
+      : winner_(winner),
+        problem_(problem),
+        squared_distance_(problem.distinction.distance * problem.distinction.distance) {}
+
+  /// Whether every pose of the node lies around the winner.
+  bool holdAll(const ExactNode& node) const {
+    const int size = (1 << node.level) - 1;
+    const double dx =
+        std::max(std::abs(node.first.x - winner_.translation.x), std::abs(node.first.x + size - winner_.translation.x));
+    const double dy =
+        std::max(std::abs(node.first.y - winner_.translation.y), std::abs(node.first.y + size - winner_.translation.y));
+    if (dx * dx + dy * dy > squared_distance_) {
+      return false;
+    }
+    for (int k = 0; k <= size; ++k) {
+      const int steps = node.rotation + k - winner_.rotation;
+      if (std::abs(normalizeAngle(steps * problem_.rotations.step())) > problem_.distinction.angle) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+ private:
+  SearchPose winner_;
+  const ExactProblem& problem_;
+  double squared_distance_;
+};
+
+/// What the threads of a search hunt for: the best pose that is not excluded. Thread-safe.
+class Quarry {
+ public:
+  /// `min_count` is at least 1.
+  explicit Quarry(std::int32_t min_count, std::optional<Surroundings> excluded = std::nullopt)
+      : threshold_(std::max(1, min_count)), excluded_(std::move(excluded)) {}
+
+  std::int32_t threshold() const { return threshold_.load(std::memory_order_relaxed); }
+
+  bool hopeless(const ExactNode& node) const {
+    const std::int32_t threshold = this->threshold();
+    return node.bound < threshold || (node.bound == threshold && comesAfterBest(node)) ||
+           (excluded_ && excluded_->holdAll(node));
+  }
+
+  void offer(const SearchPose& pose) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (pose.count >= threshold_ && (!best_ || better(pose, *best_))) {
+      best_ = pose;
+      threshold_ = pose.count;
+    }
+  }
+
+  std::optional<SearchPose> best() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return best_;
+  }
+
+ private:
+  /// Whether the best pose so far, of as many cells as the node's bound, comes before each pose of the node.
+  bool comesAfterBest(const ExactNode& node) const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return best_ && !better({node.rotation, node.first, node.bound}, *best_);
+  }
+
+  mutable std::mutex mutex_;
+  std::atomic<std::int32_t> threshold_;  // of the best pose once there is one; that many are needed to be as good
+  std::optional<SearchPose> best_;
+  std::optional<Surroundings> excluded_;
+};
+
+}  // namespace map_matcher

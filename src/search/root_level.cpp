@@ -1,0 +1,66 @@
+#include "root_level.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "block_search.hpp"
+
+namespace map_matcher {
+namespace {
+
+constexpr int kSampledBlocks = 6;
+
+// What a session cell costs in each step, in nanoseconds of one core; only their ratios matter (benchmark:
+// BM_Certified).
+constexpr double kRotating = 6.0;             // rotating it and putting it together with others, for a block
+constexpr double kScoringNode = 3.0 / 512.0;  // counting it for an initial node, one of a tile
+constexpr double kExpandingNode = 2.0;        // counting it for the children of a node
+
+/// Expected cost of the whole search at a level.
+struct LevelCost {
+  double roots = 0.0;      // of scoring all nodes of the level
+  double expanding = 0.0;  // of expanding those that may hold the answer
+};
+
+LevelCost costOf(const ExactProblem& problem, const ExactSettings& settings, int level, std::int32_t min_count) {
+  const BlockShape shape{level};
+  const int num_blocks = (problem.rotations.count() + shape.stride() - 1) / shape.stride();
+  const int num_sampled = std::min(kSampledBlocks, num_blocks);
+  BlockSearch search(problem, settings, level);
+  double promising = 0.0;
+  for (int k = 0; k < num_sampled; ++k) {
+    RotationBlock block;
+    block.first_rotation = num_blocks * (2 * k + 1) / (2 * num_sampled) * shape.stride();
+    search.scoreRoots(block, min_count);
+    promising += static_cast<double>(block.roots.size());
+  }
+  const double cells = problem.rotations.numCells();
+  const double here = cells / shape.merged();
+  const double below = cells / BlockShape{level - 1}.merged();
+  const double share = static_cast<double>(num_blocks) / std::max(1, num_sampled);
+  return {share * (num_sampled * cells * kRotating + static_cast<double>(search.nodesScored()) * here * kScoringNode),
+          share * promising * below * kExpandingNode};
+}
+
+}  // namespace
+
+int cheapestRootLevel(const ExactProblem& problem, const ExactSettings& settings, std::int32_t min_count) {
+  // From a level on, the promising nodes of all levels below it are expanded as well. So a level is worth its initial
+  // nodes as long as they cost less than expanding those of the levels above it.
+  int best = problem.reference.topLevel();
+  double best_cost = std::numeric_limits<double>::infinity();  // without the levels below the one just sampled
+  for (int level = best; level >= 1 && !settings.deadline.passed(); --level) {
+    const LevelCost cost = costOf(problem, settings, level, min_count);
+    best_cost += cost.expanding;
+    if (cost.roots >= best_cost) {
+      break;
+    }
+    if (cost.roots + cost.expanding < best_cost) {
+      best = level;
+      best_cost = cost.roots + cost.expanding;
+    }
+  }
+  return best;
+}
+
+}  // namespace map_matcher
