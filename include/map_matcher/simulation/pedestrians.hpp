@@ -10,6 +10,7 @@
 
 #include "map_matcher/parameters/parameter.hpp"
 #include "map_matcher/simulation/circle.hpp"
+#include "map_matcher/simulation/errands.hpp"
 #include "map_matcher/simulation/gait.hpp"
 #include "map_matcher/simulation/path_planner.hpp"
 #include "map_matcher/simulation/place_index.hpp"
@@ -60,8 +61,8 @@ class Pedestrians {
   Pedestrians(const World& world, const PedestrianOptions& options, const RandomNumbers& random,
               const std::optional<Circle>& kept_free);
 
-  /// Moves everybody on by `period` [s], at most 0.1 s. Nobody comes nearer than kDistanceToRobot to the sweep; who is
-  /// nearer already comes no nearer still.
+  /// Moves everybody on by `period` [s]; longer ones than 0.1 s are taken for that. Nobody comes nearer than
+  /// kDistanceToRobot to the sweep; who is nearer already comes no nearer still.
   void step(double period, const RobotSweep& robot);
 
   /// Everybody, always in the same order.
@@ -87,9 +88,7 @@ class Pedestrians {
   bool placeGroup(std::size_t size, const std::optional<Circle>& kept_free);
   bool place(const Eigen::Vector2d& position, double heading, bool stands, const std::optional<Circle>& kept_free);
   Eigen::Vector2d randomPlace();
-  std::size_t randomGoal(const Eigen::Vector2d& position);
   std::size_t goalWithAWayOut(std::size_t index);
-  const WayField& waysTo(std::size_t goal);
   Eigen::Vector2d wantedVelocity(std::size_t index, double period, const RobotSweep& robot);
   Eigen::Vector2d walk(std::size_t index, double period, const RobotSweep& robot);
   Eigen::Vector2d stand(std::size_t index, double period, const RobotSweep& robot);
@@ -103,8 +102,7 @@ class Pedestrians {
   PedestrianOptions options_;
   RandomNumbers random_;
   PathPlanner planner_;
-  std::vector<Eigen::Vector2d> goals_;
-  std::vector<std::optional<WayField>> ways_;  // to the goals; planned when somebody goes there
+  std::optional<Errands> errands_;  // none where nobody is
   std::vector<Walker> walkers_;
   PlaceIndex index_;
   std::size_t num_steps_ = 0;
