@@ -51,7 +51,7 @@ TEST_P(CrowdedDrives, touchNeitherWallsNorPeople) {
 
 INSTANTIATE_TEST_SUITE_P(Densities, CrowdedDrives, testing::Values(0.1, 0.3, 1.0, 3.0));
 
-TEST(CrowdedDrive, waitsForSomebodyWhoBlocksTheWay) {
+TEST(CrowdedDrive, getsToItsWaypointNoSoonerThanAlone) {
   DriveOptions options = shortDrive(1);
   options.start = Rigid2{1.5, 2.0, 0.0};
   options.waypoints = {{6.0, 2.0}};
@@ -66,6 +66,7 @@ TEST(CrowdedDrive, waitsForSomebodyWhoBlocksTheWay) {
   const Drive drive = simulateDrive(map, options);
   EXPECT_GT(smallestGap(drive, options.robot.radius), 0.099);
   EXPECT_EQ(drive.steps.front().people.size(), 6U);
+  EXPECT_EQ(drive.visited, options.waypoints);
   EXPECT_GE(drive.steps.size(), alone.steps.size());
 }
 
