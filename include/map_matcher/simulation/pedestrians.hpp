@@ -25,7 +25,7 @@ struct PedestrianOptions {
   int people = 0;               ///< How many; 0: as many as the density says.
   double density = 0.0;         ///< [1/m^2] People per area of free space that people can get to.
   double standing_share = 0.3;  ///< Share of them who stand in groups.
-  double speed = 1.2;           ///< [m/s] Mean speed of those who walk, where nobody is in the way.
+  double speed = 1.0;           ///< [m/s] Mean speed of those who walk, where nobody is in the way.
   double speed_sigma = 0.2;     ///< [m/s] Standard deviation of that speed from person to person.
   double body_radius = 0.18;    ///< [m] Nobody's centre is nearer to a wall, nor to another's than twice this.
   double leg_radius = 0.065;    ///< [m] Mean radius of a leg where the lidar sees it; people differ by 15 %.
