@@ -50,12 +50,22 @@ std::string valueText(const Parameter& parameter) {
   if (const auto* const* number = std::get_if<double*>(&parameter.value)) {
     return numberText(**number);
   }
-  return "\"" + **std::get_if<std::string*>(&parameter.value) + "\"";
+  if (const auto* const* text = std::get_if<std::string*>(&parameter.value)) {
+    return "\"" + **text + "\"";
+  }
+  std::string list;
+  for (const std::string& text : **std::get_if<std::vector<std::string>*>(&parameter.value)) {
+    list += (list.empty() ? "\"" : ", \"") + text + "\"";
+  }
+  return "[" + list + "]";
 }
 
 std::string rangeText(const Parameter& parameter) {
   if (std::holds_alternative<bool*>(parameter.value)) {
     return "true | false";
+  }
+  if (std::holds_alternative<std::vector<std::string>*>(parameter.value)) {
+    return "a list of texts";
   }
   if (!std::holds_alternative<std::string*>(parameter.value)) {
     return numericRangeText(parameter);

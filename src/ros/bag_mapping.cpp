@@ -1,81 +1,19 @@
 #include "map_matcher/ros/bag_mapping.hpp"
 
-#include <rosbag/bag.h>
 #include <rosbag/view.h>
 #include <tf2/exceptions.h>
 #include <tf2_msgs/TFMessage.h>
 
 #include <deque>
-#include <map>
 #include <sstream>
 
-#include "map_matcher/ros/conversions.hpp"
+#include "map_matcher/ros/bag_reading.hpp"
 
 namespace map_matcher {
 namespace {
 
 const ros::Duration kTfPatience(1.0);  // how long after a scan its transforms may come
 const ros::Duration kTfHistory(30.0);  // transforms kept
-const char* const kScanType = "sensor_msgs/LaserScan";
-
-/// Topics of a bag with their types.
-using Topics = std::map<std::string, std::string>;
-
-Topics topicsOf(const rosbag::Bag& bag) {
-  rosbag::View view(bag);
-  Topics topics;
-  for (const rosbag::ConnectionInfo* connection : view.getConnections()) {
-    topics[connection->topic] = connection->datatype;
-  }
-  return topics;
-}
-
-std::string listed(const Topics& topics) {
-  std::string text;
-  for (const auto& [topic, type] : topics) {
-    text += (text.empty() ? "" : ", ") + topic + " (" + type + ")";
-  }
-  return text.empty() ? "nothing" : text;
-}
-
-/// The topic of the scans: the one asked for, or the only one.
-std::string chooseScanTopic(const std::string& bag, const Topics& topics, const std::string& asked) {
-  if (!asked.empty()) {
-    const auto found = topics.count(asked) > 0 ? topics.find(asked) : topics.find("/" + asked);
-    if (found == topics.end()) {
-      throw BagError("bag '" + bag + "' has no topic '" + asked + "'; it has " + listed(topics));
-    }
-    if (found->second != kScanType) {
-      throw BagError("topic '" + found->first + "' of bag '" + bag + "' is " + found->second + ", expected " +
-                     kScanType + "; the bag has " + listed(topics));
-    }
-    return found->first;
-  }
-  Topics scans;
-  for (const auto& [topic, type] : topics) {
-    if (type == kScanType) {
-      scans[topic] = type;
-    }
-  }
-  if (scans.empty()) {
-    throw BagError("bag '" + bag + "' has no topic of " + kScanType + "; it has " + listed(topics));
-  }
-  if (scans.size() > 1) {
-    throw BagError("bag '" + bag + "' has several topics of " + kScanType +
-                   ", expected the choice of one: " + listed(scans));
-  }
-  return scans.begin()->first;
-}
-
-void open(rosbag::Bag& bag, const std::string& path) {
-  try {
-    bag.open(path, rosbag::bagmode::Read);
-  } catch (const rosbag::BagUnindexedException&) {
-    throw BagError("bag '" + path + "' has no index, expected a bag that was closed; rosbag reindex repairs it");
-  } catch (const rosbag::BagException& error) {
-    throw BagError("bag '" + path + "' cannot be read: " + error.what());
-  }
-}
 
 struct WaitingScan {
   sensor_msgs::LaserScan::ConstPtr scan;
@@ -87,8 +25,8 @@ class BagMapping {
  public:
   BagMapping(const BagMappingRequest& request, const std::function<void(const SessionSnapshot&)>& on_map)
       : request_(request), on_map_(on_map), mapping_(request.options), tf_(kTfHistory) {
-    open(bag_, request.bag);
-    const Topics topics = topicsOf(bag_);
+    openBag(bag_, request.bag);
+    const BagTopics topics = topicsOf(bag_);
     result_.scan_topic = chooseScanTopic(request.bag, topics, request.scan_topic);
     if (topics.count("/tf") == 0) {
       throw BagError("bag '" + request.bag + "' has no /tf, expected the transforms from " +
@@ -100,12 +38,12 @@ class BagMapping {
   }
 
   BagMappingResult run() {
-    readStaticTransforms();
+    takeStaticTransforms(bag_, tf_);
     const ros::Time first = result_.begin + ros::Duration(std::max(0.0, request_.from - kTfPatience.toSec()));
     rosbag::View view(bag_, rosbag::TopicQuery({std::string("/tf"), result_.scan_topic}), first, last());
     for (const rosbag::MessageInstance& message : view) {
       if (const auto transforms = message.instantiate<tf2_msgs::TFMessage>()) {
-        take(*transforms, false);
+        takeTransforms(*transforms, false, tf_);
       } else if (const auto scan = message.instantiate<sensor_msgs::LaserScan>()) {
         enqueue(scan, message.getTime());
       }
@@ -129,23 +67,6 @@ class BagMapping {
     if (request_.until && !(*request_.until > request_.from && *request_.until < 1e9)) {
       throw BagError("the end is " + std::to_string(*request_.until) + " s, expected more than the begin, " +
                      std::to_string(request_.from) + " s");
-    }
-  }
-
-  void readStaticTransforms() {
-    rosbag::View view(bag_, rosbag::TopicQuery(std::string("/tf_static")));
-    for (const rosbag::MessageInstance& message : view) {
-      if (const auto transforms = message.instantiate<tf2_msgs::TFMessage>()) {
-        take(*transforms, true);
-      }
-    }
-  }
-
-  void take(const tf2_msgs::TFMessage& message, bool is_static) {
-    for (geometry_msgs::TransformStamped transform : message.transforms) {
-      transform.header.frame_id = withoutLeadingSlash(transform.header.frame_id);
-      transform.child_frame_id = withoutLeadingSlash(transform.child_frame_id);
-      tf_.setTransform(transform, "bag", is_static);
     }
   }
 

@@ -110,7 +110,7 @@ std::string frameName(const std::string& frame_id) {
 std::string frameOf(const std_msgs::Header& header) {
   std::string name = frameName(header.frame_id);
   if (name.empty()) {
-    throw MessageError("header.frame_id is \"" + header.frame_id + "\", expected the name of the map's frame");
+    throw MessageError("header.frame_id is \"" + header.frame_id + "\", expected the name of a frame");
   }
   return name;
 }

@@ -39,7 +39,7 @@ class StepMessages {
   const ros::Time& stamp() const { return stamp_; }
 
   sensor_msgs::LaserScan scan(std::size_t lidar) const {
-    const LidarScan& scan = step_.scans[lidar];
+    const PlanarScan& scan = step_.scans[lidar];
     sensor_msgs::LaserScan message;
     message.header = header(options_.lidars[lidar].frame);
     message.angle_min = static_cast<float>(scan.angle_min);
@@ -82,7 +82,7 @@ class StepMessages {
   geometry_msgs::PoseArray detections(std::size_t lidar) const {
     geometry_msgs::PoseArray message;
     message.header = header(options_.lidars[lidar].frame);
-    for (const PersonDetection& detection : step_.detections[lidar]->detections) {
+    for (const DetectedPerson& detection : step_.detections[lidar]->people) {
       if (detection.score >= options_.score_threshold) {
         message.poses.emplace_back();
         message.poses.back().position.x = detection.position.x();

@@ -42,6 +42,20 @@ std::string textOf(const XmlRpcValue& value) {
   return text.str();
 }
 
+std::optional<std::vector<std::string>> listOfTexts(XmlRpcValue& value) {
+  if (value.getType() != XmlRpcValue::TypeArray) {
+    return std::nullopt;
+  }
+  std::vector<std::string> texts;
+  for (int i = 0; i < value.size(); ++i) {
+    if (value[i].getType() != XmlRpcValue::TypeString) {
+      return std::nullopt;
+    }
+    texts.push_back(static_cast<std::string&>(value[i]));
+  }
+  return texts;
+}
+
 /// The value as a T, or nothing when it is of another type; a whole number serves as a double.
 template <typename T>
 std::optional<T> as(const XmlRpcValue& value) {
@@ -51,6 +65,8 @@ std::optional<T> as(const XmlRpcValue& value) {
     return type == XmlRpcValue::TypeBoolean ? std::optional<T>(static_cast<bool&>(copy)) : std::nullopt;
   } else if constexpr (std::is_same_v<T, std::string>) {
     return type == XmlRpcValue::TypeString ? std::optional<T>(static_cast<std::string&>(copy)) : std::nullopt;
+  } else if constexpr (std::is_same_v<T, std::vector<std::string>>) {
+    return listOfTexts(copy);
   } else {
     if (type == XmlRpcValue::TypeInt) {
       return static_cast<T>(static_cast<int&>(copy));
@@ -63,8 +79,9 @@ std::optional<T> as(const XmlRpcValue& value) {
 }
 
 const char* typeText(const Parameter& parameter) {
-  if (std::holds_alternative<bool*>(parameter.value)) {
-    return "";  // its range says it: true | false
+  if (std::holds_alternative<bool*>(parameter.value) ||
+      std::holds_alternative<std::vector<std::string>*>(parameter.value)) {
+    return "";  // its range says it
   }
   if (std::holds_alternative<int*>(parameter.value)) {
     return "a whole number: ";

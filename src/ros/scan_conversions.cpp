@@ -12,6 +12,7 @@ namespace map_matcher {
 namespace {
 
 constexpr double kQuaternionTolerance = 1e-3;  // deviation of the norm from one
+constexpr double kAngleTolerance = 0.01;       // [rad] of angle_max, besides two beams
 constexpr double kTiltTolerance = 1e-3;        // deviation of the laser's z axis from vertical, as 1 - |cosine|
 
 tf2::Matrix3x3 rotationOf(const geometry_msgs::Transform& transform, const std::string& name) {
@@ -33,13 +34,31 @@ double yawOf(const tf2::Matrix3x3& rotation) { return std::atan2(rotation[1][0],
 
 }  // namespace
 
+ScanLayout layoutOf(const sensor_msgs::LaserScan& message) {
+  return {static_cast<double>(message.angle_min), static_cast<double>(message.angle_increment),
+          static_cast<double>(message.range_min), static_cast<double>(message.range_max)};
+}
+
+void checkLayout(const sensor_msgs::LaserScan& message) {
+  const ScanLayout layout = layoutOf(message);
+  try {
+    layout.validate();
+  } catch (const std::invalid_argument& error) {
+    throw MessageError(error.what());
+  }
+  if (message.ranges.empty()) {
+    throw MessageError("the scan has 0 ranges, expected at least 1");
+  }
+  const double last_angle = layout.angle_min + layout.angle_increment * static_cast<double>(message.ranges.size() - 1);
+  const auto angle_max = static_cast<double>(message.angle_max);
+  if (!(std::abs(angle_max - last_angle) <= kAngleTolerance + 2.0 * std::abs(layout.angle_increment))) {
+    throw MessageError("angle_max is " + std::to_string(angle_max) + ", expected the angle of the last of the " +
+                       std::to_string(message.ranges.size()) + " beams, " + std::to_string(last_angle) + " rad");
+  }
+}
+
 PlanarScan fromMessage(const sensor_msgs::LaserScan& message) {
-  PlanarScan scan;
-  scan.angle_min = static_cast<double>(message.angle_min);
-  scan.angle_increment = static_cast<double>(message.angle_increment);
-  scan.range_min = static_cast<double>(message.range_min);
-  scan.range_max = static_cast<double>(message.range_max);
-  scan.ranges = message.ranges;
+  PlanarScan scan{layoutOf(message), message.ranges};
   try {
     scan.validate();
   } catch (const std::invalid_argument& error) {

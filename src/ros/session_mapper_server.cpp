@@ -22,9 +22,9 @@ void expectOther(const char* name, const std::string& value, const char* other_n
 
 /// The options with the slashes of former times taken off; throws unless the three frames differ.
 SessionMapperServerOptions checked(SessionMapperServerOptions options) {
-  options.map_frame = withoutLeadingSlash(options.map_frame);
-  options.mapping.odom_frame = withoutLeadingSlash(options.mapping.odom_frame);
-  options.mapping.base_frame = withoutLeadingSlash(options.mapping.base_frame);
+  options.map_frame = frameName(options.map_frame);
+  options.mapping.odom_frame = frameName(options.mapping.odom_frame);
+  options.mapping.base_frame = frameName(options.mapping.base_frame);
   expectOther("map_frame", options.map_frame, "odom_frame", options.mapping.odom_frame);
   expectOther("odom_frame", options.mapping.odom_frame, "base_frame", options.mapping.base_frame);
   expectOther("base_frame", options.mapping.base_frame, "map_frame", options.map_frame);

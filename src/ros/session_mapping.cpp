@@ -15,10 +15,6 @@ const ros::Duration kReorderTolerance(0.5);  // scans older than their predecess
 
 }  // namespace
 
-std::string withoutLeadingSlash(const std::string& frame) {
-  return !frame.empty() && frame.front() == '/' ? frame.substr(1) : frame;
-}
-
 ParameterList parametersOf(SessionMappingOptions& options) {
   ParameterList parameters = parametersOf(options.mapper);
   parameters.push_back({"base_frame", "", "tf frame of the robot.", &options.base_frame});
@@ -32,8 +28,8 @@ ParameterList parametersOf(SessionMappingOptions& options) {
 }
 
 SessionMapping::SessionMapping(const SessionMappingOptions& options) : options_(options), mapper_(options.mapper) {
-  options_.base_frame = withoutLeadingSlash(options.base_frame);
-  options_.odom_frame = withoutLeadingSlash(options.odom_frame);
+  options_.base_frame = frameName(options.base_frame);
+  options_.odom_frame = frameName(options.odom_frame);
   SessionMappingOptions copy = options;
   throwIfAny(problemsOf(parametersOf(copy)));
 }
@@ -42,7 +38,7 @@ MappingUpdate SessionMapping::addScan(const sensor_msgs::LaserScan& scan, const 
   // Whatever can throw comes first: a scan whose transforms are still on their way may be handed in again.
   const ros::Time stamp = scan.header.stamp;
   const auto odometry = tf.lookupTransform(options_.odom_frame, options_.base_frame, stamp);
-  const auto mount = tf.lookupTransform(options_.base_frame, withoutLeadingSlash(scan.header.frame_id), stamp);
+  const auto mount = tf.lookupTransform(options_.base_frame, frameName(scan.header.frame_id), stamp);
   const Rigid2 T_odom_base = projectToPlane(odometry.transform, "the odometry");
   const PlanarScan planar_scan = fromMessage(scan);
   const LaserMount laser_mount = laserMountFrom(mount.transform);

@@ -18,7 +18,7 @@ Exploration::Exploration(const PathPlanner& planner)
     : planner_(planner),
       seen_(static_cast<std::size_t>(planner.geometry().width) * static_cast<std::size_t>(planner.geometry().height)) {}
 
-void Exploration::see(const LidarScan& scan, const Rigid2& T_map_lidar) {
+void Exploration::see(const PlanarScan& scan, const Rigid2& T_map_lidar) {
   const GridGeometry& geometry = planner_.geometry();
   const Rigid2 T_grid_lidar = geometry.T_map_grid.inverse() * T_map_lidar;
   const Eigen::Vector2d origin = T_grid_lidar.translation() / geometry.resolution;

@@ -35,7 +35,7 @@ Itinerary::Itinerary(const World& world, ItineraryOptions options, const RandomN
   }
 }
 
-void Itinerary::see(const LidarScan& scan, const Rigid2& T_map_lidar) {
+void Itinerary::see(const PlanarScan& scan, const Rigid2& T_map_lidar) {
   if (exploration_) {
     exploration_->see(scan, T_map_lidar);
   }

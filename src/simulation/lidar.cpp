@@ -25,7 +25,7 @@ Lidar::Lidar(const LidarOptions& options, const RandomNumbers& noise) : options_
   throwIfAny(problemsOf(parametersOf(options_)));
 }
 
-LidarScan Lidar::scan(const World& world, const Rigid2& T_map_base) { return scanAmong({}, world, T_map_base).scan; }
+PlanarScan Lidar::scan(const World& world, const Rigid2& T_map_base) { return scanAmong({}, world, T_map_base).scan; }
 
 LidarView Lidar::scanAmong(const std::vector<Circle>& circles, const World& world, const Rigid2& T_map_base) {
   const double angle_min = -0.5 * options_.field_of_view;

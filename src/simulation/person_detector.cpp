@@ -47,7 +47,7 @@ bool isSurface(const OccupancyGrid& map, int x, int y) {
 }
 
 /// Whether a point of the lidar's frame [m] lies on what the scan shows.
-bool isOnSurface(const LidarScan& scan, const Eigen::Vector2d& point) {
+bool isOnSurface(const PlanarScan& scan, const Eigen::Vector2d& point) {
   const double ray = std::round((std::atan2(point.y(), point.x()) - scan.angle_min) / scan.angle_increment);
   if (ray < 0.0 || ray >= static_cast<double>(scan.ranges.size())) {
     return false;
@@ -127,8 +127,8 @@ void PersonDetector::drift(Impression& impression, double memory) {
   }
 }
 
-std::optional<PersonDetections> PersonDetector::detect(const LidarView& view, const std::vector<Person>& people,
-                                                       const Rigid2& T_map_lidar, double time) {
+std::optional<DetectedPeople> PersonDetector::detect(const LidarView& view, const std::vector<Person>& people,
+                                                     const Rigid2& T_map_lidar, double time) {
   constexpr double kRounding = 1e-6;  // [s] a scan that comes as the detector gets ready is taken
   if (last_time_ && time < *last_time_ + 1.0 / options_.rate - kRounding) {
     return std::nullopt;
@@ -143,11 +143,11 @@ std::optional<PersonDetections> PersonDetector::detect(const LidarView& view, co
   adjust(people_in_sight, kept, time);
   last_time_ = time;
 
-  PersonDetections detections{time, time + options_.latency, {}};
+  DetectedPeople detected{time, time + options_.latency, {}};
   for (const Candidate& candidate : kept) {
-    detections.detections.push_back(candidate.detection);
+    detected.people.push_back(candidate.detection);
   }
-  return detections;
+  return detected;
 }
 
 void PersonDetector::driftAll(std::size_t num_people, double time) {
@@ -180,7 +180,7 @@ std::vector<PersonDetector::Candidate> PersonDetector::peopleIn(const LidarView&
   return candidates;
 }
 
-std::vector<PersonDetector::Candidate> PersonDetector::falseAlarmsIn(const LidarScan& scan,
+std::vector<PersonDetector::Candidate> PersonDetector::falseAlarmsIn(const PlanarScan& scan,
                                                                      const Rigid2& T_lidar_map) const {
   std::vector<std::pair<Eigen::Vector2d, const Impression*>> in_sight;
   for (const Site& site : sites_) {
@@ -200,8 +200,8 @@ std::vector<PersonDetector::Candidate> PersonDetector::falseAlarmsIn(const Lidar
 }
 
 /// `evidence` is 0 at the threshold.
-PersonDetection PersonDetector::detection(const Eigen::Vector2d& position, const Impression& impression,
-                                          double evidence) const {
+DetectedPerson PersonDetector::detection(const Eigen::Vector2d& position, const Impression& impression,
+                                         double evidence) const {
   const Eigen::Vector2d error(impression.x, impression.y);
   return {position + options_.position_sigma * error, logistic(logit(options_.score_threshold) + evidence)};
 }

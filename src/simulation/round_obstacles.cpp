@@ -69,8 +69,8 @@ RaysOnCircles castOnCircles(const std::vector<Circle>& circles, const Rigid2& T_
   return nearest;
 }
 
-LidarScan insertCircles(const LidarScan& scan, const std::vector<Circle>& circles, const Rigid2& T_map_lidar,
-                        double sigma, RandomNumbers& noise) {
+PlanarScan insertCircles(const PlanarScan& scan, const std::vector<Circle>& circles, const Rigid2& T_map_lidar,
+                         double sigma, RandomNumbers& noise) {
   std::vector<double> background(scan.ranges.size(), kInfinity);
   for (std::size_t i = 0; i < background.size(); ++i) {
     const double range = scan.ranges[i];
@@ -80,7 +80,7 @@ LidarScan insertCircles(const LidarScan& scan, const std::vector<Circle>& circle
   }
   const RaysOnCircles nearest =
       castOnCircles(circles, T_map_lidar, {scan.angle_min, scan.angle_increment, scan.range_max}, background);
-  LidarScan among = scan;
+  PlanarScan among = scan;
   for (std::size_t i = 0; i < background.size(); ++i) {
     if (nearest.circles[i]) {
       const double range = nearest.distances[i] + sigma * noise.gaussian();

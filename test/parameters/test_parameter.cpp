@@ -2,6 +2,7 @@
 
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "map_matcher/parameters/parameter.hpp"
 
@@ -48,6 +49,17 @@ TEST(Parameter, ListsTheChoicesOfAText) {
   EXPECT_EQ(problemWith(parameter), "tf_mode is \"sideways\", expected forward | none");
   mode = "none";
   EXPECT_EQ(problemWith(parameter), "");
+}
+
+TEST(Parameter, WritesAListAsYamlDoes) {
+  std::vector<std::string> topics{"front", "rear"};
+  const Parameter parameter{"detection_topics", "", "Topics.", &topics};
+
+  EXPECT_EQ(valueText(parameter), "[\"front\", \"rear\"]");
+  EXPECT_EQ(rangeText(parameter), "a list of texts");
+  EXPECT_EQ(problemWith(parameter), "");
+  topics.clear();
+  EXPECT_EQ(valueText(parameter), "[]");
 }
 
 TEST(Parameter, AllowsAnyTextWithoutChoices) {

@@ -118,7 +118,7 @@ TEST_F(DriveBag, holdsTheScansAsTheyWereMeasured) {
   ASSERT_EQ(scans.size(), drive_.steps.size());
   bool some_returned_nothing = false;
   for (std::size_t i = 0; i < scans.size(); ++i) {
-    const LidarScan& expected = drive_.steps[i].scans.front();
+    const PlanarScan& expected = drive_.steps[i].scans.front();
     EXPECT_EQ(scans[i].header.frame_id, "laser");
     EXPECT_EQ(scans[i].header.seq, i);
     EXPECT_EQ(scans[i].ranges, expected.ranges);
@@ -264,12 +264,12 @@ TEST(CrowdedDriveBag, holdsDetectionsAsDrSpaamSendsThem) {
       const DriveStep& step = drive.steps[message->header.seq];
       EXPECT_NEAR(message->header.stamp.toSec(), 1000.0 + step.time, 1e-6);
       std::size_t num_counted = 0;
-      for (const PersonDetection& detection : step.detections[lidar]->detections) {
+      for (const DetectedPerson& detection : step.detections[lidar]->people) {
         num_counted += detection.score >= 0.4 ? 1U : 0U;
       }
       ASSERT_EQ(message->poses.size(), num_counted);
       for (std::size_t k = 0; k < num_counted; ++k) {
-        EXPECT_EQ(message->poses[k].position.x, step.detections[lidar]->detections[k].position.x());
+        EXPECT_EQ(message->poses[k].position.x, step.detections[lidar]->people[k].position.x());
         EXPECT_EQ(message->poses[k].orientation.w, 0.0);
         EXPECT_EQ(message->poses[k].orientation.z, 0.0);
       }

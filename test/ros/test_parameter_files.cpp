@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "map_matcher/parameters/yaml_parameters.hpp"
+#include "map_matcher/ros/lidar_scrubber_server_options.hpp"
 #include "map_matcher/ros/map_matcher_server_options.hpp"
 #include "map_matcher/ros/pose_evaluator_server.hpp"
 #include "map_matcher/ros/session_mapper_server_options.hpp"
@@ -37,6 +38,11 @@ std::map<std::string, Entry> readEntries(const std::string& path) {
   return entries;
 }
 
+struct LidarScrubberFile {
+  using Options = LidarScrubberServerOptions;
+  static constexpr const char* kPath = MAP_MATCHER_SOURCE_DIR "/config/lidar_scrubber.yaml";
+};
+
 struct MapMatcherFile {
   using Options = MapMatcherServerOptions;
   static constexpr const char* kPath = MAP_MATCHER_SOURCE_DIR "/config/map_matcher.yaml";
@@ -61,7 +67,7 @@ class ParameterFile : public testing::Test {
   std::map<std::string, Entry> entries = readEntries(File::kPath);
 };
 
-using Files = testing::Types<MapMatcherFile, PoseEvaluatorFile, SessionMapperFile>;
+using Files = testing::Types<LidarScrubberFile, MapMatcherFile, PoseEvaluatorFile, SessionMapperFile>;
 TYPED_TEST_SUITE(ParameterFile, Files, );
 
 TYPED_TEST(ParameterFile, NamesEveryParameterAndNoOther) {

@@ -28,6 +28,7 @@ geometry_msgs::Transform transformOf(double x, double y, double roll, double pit
 sensor_msgs::LaserScan scanMessage() {
   sensor_msgs::LaserScan message;
   message.angle_min = -1.0F;
+  message.angle_max = 0.0F;
   message.angle_increment = 0.5F;
   message.range_max = 10.0F;
   message.ranges = {1.0F, 2.0F, 3.0F};
@@ -40,6 +41,22 @@ TEST(ScanConversions, TakeTheRangesAsTheyAre) {
   EXPECT_DOUBLE_EQ(scan.angle_min, -1.0);
   EXPECT_DOUBLE_EQ(scan.angle_increment, 0.5);
   EXPECT_EQ(scan.ranges, (std::vector<float>{1.0F, 2.0F, 3.0F}));
+}
+
+TEST(ScanConversions, CheckThatAnglesAndRangesAgree) {
+  sensor_msgs::LaserScan message = scanMessage();
+  EXPECT_NO_THROW(checkLayout(message));
+  message.angle_max = 0.9F;  // two beams short: drivers count so
+  EXPECT_NO_THROW(checkLayout(message));
+
+  message.angle_max = 1.5F;
+  EXPECT_THROW(checkLayout(message), MessageError);
+  message = scanMessage();
+  message.ranges.clear();
+  EXPECT_THROW(checkLayout(message), MessageError);
+  message = scanMessage();
+  message.angle_min = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_THROW(checkLayout(message), MessageError);
 }
 
 TEST(ScanConversions, RefuseAScanThatIsNotValid) {

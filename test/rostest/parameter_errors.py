@@ -1,29 +1,16 @@
 #!/usr/bin/env python3
 """A node whose parameters are wrong names each of them and ends with exit code 2; a misspelt one is warned about."""
-import subprocess
 import unittest
 
-import roslib.packages
 import rospy
 import rostest
 
-NODE = roslib.packages.find_node("map_matcher", "map_matcher_node")[0]
-DEADLINE = 20.0  # [s]
-BAD_INPUT = 2
-
-
-def run_node(**parameters):
-    """Starts a node with private parameters, waits until it ends, and returns its exit code and output."""
-    arguments = ["_%s:=%s" % item for item in parameters.items()]
-    done = subprocess.run([NODE, "__name:=under_test", *arguments], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                          timeout=DEADLINE, check=False)
-    rospy.delete_param("/under_test")
-    return done.returncode, done.stdout.decode()
+from node_runs import BAD_INPUT, run_node
 
 
 class ParameterErrors(unittest.TestCase):
     def test_all_are_told_at_once(self):
-        code, output = run_node(tf_rate=-1, acceptance_ratio=1.5, tf_mode="both", min_session_cells="many")
+        code, output = run_node("map_matcher_node", tf_rate=-1, acceptance_ratio=1.5, tf_mode="both", min_session_cells="many")
 
         self.assertEqual(code, BAD_INPUT)
         self.assertIn("~tf_rate is -1, expected 0.1 to 1000 Hz", output)
@@ -32,13 +19,13 @@ class ParameterErrors(unittest.TestCase):
         self.assertIn('~min_session_cells is "many", expected a whole number', output)
 
     def test_a_reference_map_that_is_not_there(self):
-        code, output = run_node(reference_map_file="/nowhere/map.yaml")
+        code, output = run_node("map_matcher_node", reference_map_file="/nowhere/map.yaml")
 
         self.assertEqual(code, BAD_INPUT)
         self.assertIn("/nowhere/map.yaml", output)
 
     def test_a_misspelt_name_is_warned_about_with_the_one_that_was_meant(self):
-        code, output = run_node(acceptence_ratio=0.6, tf_rate=-1)  # the latter so that it ends
+        code, output = run_node("map_matcher_node", acceptence_ratio=0.6, tf_rate=-1)  # the latter so that it ends
 
         self.assertEqual(code, BAD_INPUT)
         self.assertIn("~acceptence_ratio is 0.6, but there is no such parameter; did you mean ~acceptance_ratio?", output)

@@ -6,6 +6,7 @@
 
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "map_matcher/ros/parameter_reader.hpp"
 #include "map_matcher/ros/run_node.hpp"
@@ -22,6 +23,7 @@ struct Options {
   int min_session_cells = 100;
   bool enabled = false;
   std::string tf_mode = "none";
+  std::vector<std::string> topics{"detections"};
 };
 
 ParameterList parametersOf(Options& options) {
@@ -30,6 +32,7 @@ ParameterList parametersOf(Options& options) {
       {"min_session_cells", "cells", "", &options.min_session_cells, 1.0, 1e6, {}},
       {"enabled", "", "", &options.enabled, {}, {}, {}},
       {"tf_mode", "", "", &options.tf_mode, {}, {}, {"none", "reference_to_session"}},
+      {"topics", "", "", &options.topics, {}, {}, {}},
   };
 }
 
@@ -52,6 +55,25 @@ TEST_F(ParameterReader, FillsTheFieldsThatAreSetAndKeepsTheOthers) {
   EXPECT_TRUE(options.enabled);
   EXPECT_EQ(options.tf_mode, "reference_to_session");
   EXPECT_EQ(options.min_session_cells, 100);
+}
+
+TEST_F(ParameterReader, ReadsAListOfTexts) {
+  node.setParam("topics", std::vector<std::string>{"front", "rear"});
+
+  EXPECT_THAT(readParameters(node, parametersOf(options)), IsEmpty());
+
+  EXPECT_THAT(options.topics, ElementsAre("front", "rear"));
+}
+
+TEST_F(ParameterReader, RefusesAListOfAnythingElse) {
+  node.setParam("topics", std::vector<int>{1, 2});
+
+  EXPECT_THAT(readParameters(node, parametersOf(options)), ElementsAre("~topics is a list, expected a list of texts"));
+
+  node.setParam("topics", "front");
+  EXPECT_THAT(readParameters(node, parametersOf(options)),
+              ElementsAre("~topics is \"front\", expected a list of texts"));
+  EXPECT_THAT(options.topics, ElementsAre("detections"));
 }
 
 TEST_F(ParameterReader, TakesAWholeNumberForADouble) {

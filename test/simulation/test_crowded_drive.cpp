@@ -82,10 +82,10 @@ TEST(CrowdedDrive, amongPeopleIsTheSameForTheSameSeed) {
     EXPECT_EQ(one.steps[i].scans.front().ranges, other.steps[i].scans.front().ranges);
     ASSERT_EQ(one.steps[i].people.size(), other.steps[i].people.size());
     EXPECT_EQ(one.steps[i].people.back().position, other.steps[i].people.back().position);
-    const auto& detections = one.steps[i].detections.front()->detections;
-    ASSERT_EQ(detections.size(), other.steps[i].detections.front()->detections.size());
+    const auto& detections = one.steps[i].detections.front()->people;
+    ASSERT_EQ(detections.size(), other.steps[i].detections.front()->people.size());
     if (!detections.empty()) {
-      EXPECT_EQ(detections.front().score, other.steps[i].detections.front()->detections.front().score);
+      EXPECT_EQ(detections.front().score, other.steps[i].detections.front()->people.front().score);
     }
   }
 }

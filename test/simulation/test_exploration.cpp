@@ -30,7 +30,7 @@ double seenShare(const OccupancyGrid& map, const Drive& drive) {
   for (const DriveStep& step : drive.steps) {
     const Rigid2 T_map_lidar = step.T_map_base * drive.T_base_lidar.front();
     for (std::size_t i = 0; i < step.scans.front().ranges.size(); ++i) {
-      const LidarScan& scan = step.scans.front();
+      const PlanarScan& scan = step.scans.front();
       const double angle = scan.angle_min + static_cast<double>(i) * scan.angle_increment;
       for (double r = 0.0; r < std::min<double>(scan.ranges[i], 8.0); r += 0.07) {
         const Cell cell =

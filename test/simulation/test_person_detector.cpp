@@ -49,8 +49,8 @@ struct Hall {
   PersonDetectorOptions options;
 };
 
-int numCounted(const PersonDetections& detections, double threshold) {
-  return static_cast<int>(std::count_if(detections.detections.begin(), detections.detections.end(),
+int numCounted(const DetectedPeople& detections, double threshold) {
+  return static_cast<int>(std::count_if(detections.people.begin(), detections.people.end(),
                                         [&](const auto& detection) { return detection.score >= threshold; }));
 }
 
@@ -65,7 +65,7 @@ TEST(PersonDetector, tellsPositionsInTheLidarsFrame) {
   for (int i = 0; i < 4000; ++i) {
     const auto found = detector.detect(view, people, hall.T_map_lidar, i);
     ASSERT_TRUE(found);
-    for (const PersonDetection& detection : found->detections) {
+    for (const DetectedPerson& detection : found->people) {
       const Eigen::Vector2d error = detection.position - Eigen::Vector2d(2.0, 3.0);
       mean += error;
       variance += 0.5 * error.squaredNorm();
@@ -106,7 +106,7 @@ TEST(PersonDetector, detectsOnlyPeopleInSight) {
     const LidarView view = hall.look(people);
     int count = 0;
     for (int i = 0; i < 100; ++i) {
-      count += static_cast<int>(detector.detect(view, people, hall.T_map_lidar, i)->detections.size());
+      count += static_cast<int>(detector.detect(view, people, hall.T_map_lidar, i)->people.size());
     }
     return count;
   };
@@ -132,10 +132,10 @@ TEST(PersonDetector, keepsDetectionsApart) {
   const LidarView view = hall.look(people);
   for (int i = 0; i < 100; ++i) {
     const auto found = detector.detect(view, people, hall.T_map_lidar, i);
-    for (std::size_t a = 0; a < found->detections.size(); ++a) {
+    for (std::size_t a = 0; a < found->people.size(); ++a) {
       for (std::size_t b = 0; b < a; ++b) {
-        EXPECT_GE((found->detections[a].position - found->detections[b].position).norm(), 0.5);
-        EXPECT_LE(found->detections[a].score, found->detections[b].score);
+        EXPECT_GE((found->people[a].position - found->people[b].position).norm(), 0.5);
+        EXPECT_LE(found->people[a].score, found->people[b].score);
       }
     }
   }
@@ -151,7 +151,7 @@ TEST(PersonDetector, isLateAndPassesScansOverWhenItIsSlow) {
   for (int i = 0; i < 30; ++i) {
     if (const auto found = detector.detect(view, {}, hall.T_map_lidar, i / 15.0)) {
       EXPECT_DOUBLE_EQ(found->arrival, found->time + 0.2);
-      EXPECT_TRUE(found->detections.empty());
+      EXPECT_TRUE(found->people.empty());
       times.push_back(found->time);
     }
   }
@@ -199,7 +199,7 @@ Quality qualityOf(const DriveOptions& options) {
     // A detection is of the nearest person who is not taken yet.
     std::vector<bool> taken(in_sight.size(), false);
     std::vector<Eigen::Vector2d> now_false;
-    for (const PersonDetection& detection : step->detections.front()->detections) {
+    for (const DetectedPerson& detection : step->detections.front()->people) {
       if (detection.score < options.detector.score_threshold) {
         continue;
       }

@@ -106,14 +106,14 @@ TEST(RoundObstacles, areMetAsByTheSlowWay) {
 }
 
 /// Seven rays, 10 degrees apart.
-LidarScan recordedScan() {
+PlanarScan recordedScan() {
   return {-30.0 * kDegree, 10.0 * kDegree, 0.1, 8.0, {3.0F, 3.0F, 1.0F, 3.0F, 0.0F, NAN, 3.0F}};
 }
 
 TEST(InsertedCircles, hideWhatWasRecordedBehindThem) {
   RandomNumbers noise(1);
-  const LidarScan scan = recordedScan();
-  const LidarScan among = insertCircles(scan, {{{2.0, 0.0}, 0.8}}, {}, 0.0, noise);  // spans 23.6 degrees
+  const PlanarScan scan = recordedScan();
+  const PlanarScan among = insertCircles(scan, {{{2.0, 0.0}, 0.8}}, {}, 0.0, noise);  // spans 23.6 degrees
   ASSERT_EQ(among.ranges.size(), 7U);
   EXPECT_EQ(among.ranges[0], 3.0F);
   EXPECT_LT(among.ranges[1], 2.0F);
@@ -130,7 +130,7 @@ TEST(InsertedCircles, areMeasuredWithNoise) {
   RandomNumbers noise(1);
   double variance = 0.0;
   for (int i = 0; i < 4000; ++i) {
-    const LidarScan among = insertCircles(recordedScan(), {{{2.0, 0.0}, 0.1}}, {}, 0.03, noise);
+    const PlanarScan among = insertCircles(recordedScan(), {{{2.0, 0.0}, 0.1}}, {}, 0.03, noise);
     variance += std::pow(static_cast<double>(among.ranges[3]) - 1.9, 2) / 4000.0;
   }
   EXPECT_NEAR(std::sqrt(variance), 0.03, 0.002);
@@ -138,7 +138,7 @@ TEST(InsertedCircles, areMeasuredWithNoise) {
 
 TEST(InsertedCircles, thatAreNotInSightChangeNothing) {
   RandomNumbers noise(1);
-  LidarScan scan = recordedScan();
+  PlanarScan scan = recordedScan();
   scan.ranges[5] = 2.5F;
   EXPECT_EQ(insertCircles(scan, {{{-2.0, 0.0}, 0.1}, {{6.0, 0.0}, 0.1}}, {}, 0.03, noise).ranges, scan.ranges);
 }

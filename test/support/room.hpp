@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "map_matcher/mapping/planar_scan.hpp"
+#include "map_matcher/scan/planar_scan.hpp"
 
 namespace map_matcher::test {
 

@@ -23,10 +23,11 @@ const std::map<std::string, Names> kRooms = {
     {"grid", {"parameters"}},
     {"search", {"grid", "parameters"}},
     {"tracking", {"grid", "parameters", "search"}},
-    {"mapping", {"grid", "parameters"}},
-    {"scrubbing", {"parameters"}},
-    {"simulation", {"grid", "parameters"}},
-    {"evaluation", {"grid", "mapping", "parameters", "scrubbing", "search", "simulation", "tracking"}},
+    {"scan", {"grid"}},
+    {"mapping", {"grid", "parameters", "scan"}},
+    {"scrubbing", {"grid", "parameters", "scan"}},
+    {"simulation", {"grid", "parameters", "scan"}},
+    {"evaluation", {"grid", "mapping", "parameters", "scan", "scrubbing", "search", "simulation", "tracking"}},
 };
 
 /// Directories that know ROS, or whose programs may.

@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "map_matcher/mapping/planar_scan.hpp"
+#include "map_matcher/scan/planar_scan.hpp"
 
 namespace map_matcher {
 

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "map_matcher/grid/occupancy_grid.hpp"
-#include "map_matcher/mapping/planar_scan.hpp"
 #include "map_matcher/mapping/session_mapper_options.hpp"
+#include "map_matcher/scan/planar_scan.hpp"
 
 namespace map_matcher {
 

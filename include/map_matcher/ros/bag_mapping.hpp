@@ -4,20 +4,14 @@
 
 #include <functional>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "map_matcher/evaluation/trajectory_error.hpp"
+#include "map_matcher/ros/bag_reading.hpp"
 #include "map_matcher/ros/session_mapping.hpp"
 
 namespace map_matcher {
-
-/// A bag that cannot be used; the message names the bag, what is wrong and what is there instead.
-class BagError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 /// Which part of which bag to draw, and how.
 struct BagMappingRequest {

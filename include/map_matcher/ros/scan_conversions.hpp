@@ -7,9 +7,16 @@
 
 #include <string>
 
-#include "map_matcher/mapping/planar_scan.hpp"
+#include "map_matcher/scan/planar_scan.hpp"
 
 namespace map_matcher {
+
+/// Where the beams of a message point and how far they reach, as it says; not checked.
+ScanLayout layoutOf(const sensor_msgs::LaserScan& message);
+
+/// Throws MessageError, naming the field, its value and what was expected, unless the message has ranges, a valid
+/// layout, and an angle_max that agrees with angle_min, angle_increment and the number of ranges to within two beams.
+void checkLayout(const sensor_msgs::LaserScan& message);
 
 /// The scan of a message. Throws MessageError that names the field, its value and what was expected.
 PlanarScan fromMessage(const sensor_msgs::LaserScan& message);

@@ -73,7 +73,4 @@ class SessionMapping {
   std::optional<ros::Time> last_map_;
 };
 
-/// A frame's name without the leading slash of former times, which tf2 refuses.
-std::string withoutLeadingSlash(const std::string& frame);
-
 }  // namespace map_matcher

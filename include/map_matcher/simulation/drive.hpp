@@ -45,13 +45,13 @@ void equipAsPepper(DriveOptions& options);
 
 /// What is known at one instant.
 struct DriveStep {
-  double time = 0.0;             ///< Since the start of the drive [s].
-  Rigid2 T_map_base;             ///< Where the robot is.
-  Rigid2 T_odom_base;            ///< Where its odometry believes it to be; the odom frame is its first pose.
-  Velocity velocity;             ///< Of the base.
-  std::vector<LidarScan> scans;  ///< Of each lidar.
-  std::vector<Person> people;    ///< Everybody, seen or not, always in the same order.
-  std::vector<std::optional<PersonDetections>> detections;  ///< Of each lidar's detector; std::nullopt: it was busy.
+  double time = 0.0;              ///< Since the start of the drive [s].
+  Rigid2 T_map_base;              ///< Where the robot is.
+  Rigid2 T_odom_base;             ///< Where its odometry believes it to be; the odom frame is its first pose.
+  Velocity velocity;              ///< Of the base.
+  std::vector<PlanarScan> scans;  ///< Of each lidar.
+  std::vector<Person> people;     ///< Everybody, seen or not, always in the same order.
+  std::vector<std::optional<DetectedPeople>> detections;  ///< Of each lidar's detector; std::nullopt: it was busy.
 };
 
 /// A drive from its start to its end.

@@ -21,7 +21,7 @@ class Exploration {
   explicit Exploration(const PathPlanner& planner);
 
   /// Adds what a scan saw from its true pose, up to 8 m.
-  void see(const LidarScan& scan, const Rigid2& T_map_lidar);
+  void see(const PlanarScan& scan, const Rigid2& T_map_lidar);
 
   /// Whether something unseen lies beside this place [m], which was seen.
   bool isFrontier(const Eigen::Vector2d& place) const;

@@ -35,7 +35,7 @@ class Itinerary {
   const Rigid2& start() const { return start_; }
 
   /// Tells an exploration what was seen from the true pose of a lidar.
-  void see(const LidarScan& scan, const Rigid2& T_map_lidar);
+  void see(const PlanarScan& scan, const Rigid2& T_map_lidar);
 
   /// Whether there still is a reason to go on to this goal [m]: a frontier may be seen from afar.
   bool isWorthwhile(const Eigen::Vector2d& goal) const { return !exploration_ || exploration_->isFrontier(goal); }

@@ -2,11 +2,11 @@
 /// A planar lidar that looks at a world.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "map_matcher/grid/rigid2.hpp"
 #include "map_matcher/parameters/parameter.hpp"
+#include "map_matcher/scan/planar_scan.hpp"
 #include "map_matcher/simulation/circle.hpp"
 #include "map_matcher/simulation/random_numbers.hpp"
 #include "map_matcher/simulation/world.hpp"
@@ -27,18 +27,9 @@ struct LidarOptions {
 /// The parameters that fill `options`.
 ParameterList parametersOf(LidarOptions& options);
 
-/// One scan, as sensor_msgs/LaserScan has it: ray i points at angle_min + i * angle_increment in the lidar's frame.
-struct LidarScan {
-  double angle_min = 0.0;        ///< Heading of the first ray [rad].
-  double angle_increment = 0.0;  ///< Angle from a ray to the next, counter-clockwise [rad].
-  double range_min = 0.0;        ///< Shortest range that is measured [m].
-  double range_max = 0.0;        ///< Longest range that is measured [m].
-  std::vector<float> ranges;     ///< [m]; infinity where nothing returned (REP 117).
-};
-
 /// A scan, and what was in it.
 struct LidarView {
-  LidarScan scan;
+  PlanarScan scan;
   std::vector<int> rays_on;  ///< For each circle: how many rays returned from it.
 };
 
@@ -49,7 +40,7 @@ class Lidar {
   Lidar(const LidarOptions& options, const RandomNumbers& noise);
 
   /// The scan from a robot that stands at this pose; all rays at one instant.
-  LidarScan scan(const World& world, const Rigid2& T_map_base);
+  PlanarScan scan(const World& world, const Rigid2& T_map_base);
 
   /// The same among round obstacles, such as legs, in the map frame. They and the walls hide each other.
   LidarView scanAmong(const std::vector<Circle>& circles, const World& world, const Rigid2& T_map_base);

@@ -34,16 +34,16 @@ struct PersonDetectorOptions {
 ParameterList parametersOf(PersonDetectorOptions& options);
 
 /// Somebody, or what was taken for somebody.
-struct PersonDetection {
+struct DetectedPerson {
   Eigen::Vector2d position;  ///< In the lidar's frame [m].
   double score = 0.0;        ///< From 0.1 to 1, as a confidence.
 };
 
 /// What was detected in one scan.
-struct PersonDetections {
-  double time = 0.0;                        ///< Of the scan [s].
-  double arrival = 0.0;                     ///< When the detections are there [s].
-  std::vector<PersonDetection> detections;  ///< At least 0.5 m from each other, the highest score first; none: nobody.
+struct DetectedPeople {
+  double time = 0.0;                   ///< Of the scan [s].
+  double arrival = 0.0;                ///< When the detections are there [s].
+  std::vector<DetectedPerson> people;  ///< At least 0.5 m from each other, the highest score first; none: nobody.
 };
 
 /// Detects the people whom one lidar sees. Each of them has a score that drifts (an Ornstein-Uhlenbeck process through
@@ -60,8 +60,8 @@ class PersonDetector {
 
   /// Detections in a scan at `time` [s]; std::nullopt when the detector is busy with an earlier one. `people` are
   /// always the same, in the same order; `view` is of their legs: two circles each, in this order. Times rise.
-  std::optional<PersonDetections> detect(const LidarView& view, const std::vector<Person>& people,
-                                         const Rigid2& T_map_lidar, double time);
+  std::optional<DetectedPeople> detect(const LidarView& view, const std::vector<Person>& people,
+                                       const Rigid2& T_map_lidar, double time);
 
  private:
   /// How somebody, or a place, looks to the detector; each number of variance 1.
@@ -73,7 +73,7 @@ class PersonDetector {
   };
 
   struct Candidate {
-    PersonDetection detection;
+    DetectedPerson detection;
     bool is_person;
   };
 
@@ -88,8 +88,8 @@ class PersonDetector {
   void driftAll(std::size_t num_people, double time);
   std::vector<Candidate> peopleIn(const LidarView& view, const std::vector<Person>& people,
                                   const Rigid2& T_lidar_map) const;
-  std::vector<Candidate> falseAlarmsIn(const LidarScan& scan, const Rigid2& T_lidar_map) const;
-  PersonDetection detection(const Eigen::Vector2d& position, const Impression& impression, double evidence) const;
+  std::vector<Candidate> falseAlarmsIn(const PlanarScan& scan, const Rigid2& T_lidar_map) const;
+  DetectedPerson detection(const Eigen::Vector2d& position, const Impression& impression, double evidence) const;
   static std::vector<Candidate> bestOf(std::vector<Candidate> candidates);
   void adjust(std::size_t people_in_sight, const std::vector<Candidate>& kept, double time);
 

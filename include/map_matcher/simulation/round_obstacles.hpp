@@ -35,7 +35,7 @@ RaysOnCircles castOnCircles(const std::vector<Circle>& circles, const Rigid2& T_
 /// a circle is hidden by it, and rays that returned nothing (not finite, or out of range) return from a circle within
 /// range. `sigma` [m] is the standard deviation of ranges to circles; other ranges stay bit for bit. `noise` is drawn
 /// from once for each such range.
-LidarScan insertCircles(const LidarScan& scan, const std::vector<Circle>& circles, const Rigid2& T_map_lidar,
-                        double sigma, RandomNumbers& noise);
+PlanarScan insertCircles(const PlanarScan& scan, const std::vector<Circle>& circles, const Rigid2& T_map_lidar,
+                         double sigma, RandomNumbers& noise);
 
 }  // namespace map_matcher

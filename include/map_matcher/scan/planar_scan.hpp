@@ -8,17 +8,27 @@
 
 namespace map_matcher {
 
-/// Ranges of a planar laser, as sensor_msgs/LaserScan has them. Beam i points along angle_min + i * angle_increment in
-/// the laser frame, counter-clockwise about the laser's z axis.
-struct PlanarScan {
+/// Where the beams of a scan point and how far they reach, as sensor_msgs/LaserScan has it. Beam i points along
+/// angle_min + i * angle_increment in the laser frame, counter-clockwise about the laser's z axis.
+struct ScanLayout {
   double angle_min = 0.0;        ///< Direction of the first beam [rad].
   double angle_increment = 0.0;  ///< Between beams [rad]; negative for a laser that turns clockwise, never 0.
   double range_min = 0.0;        ///< Shortest range the laser measures [m], at least 0.
   double range_max = 0.0;        ///< Longest range the laser measures [m], above range_min.
-  std::vector<float> ranges;     ///< [m]; inf, nan and values outside [range_min, range_max] are allowed (castBeams).
 
   /// Throws std::invalid_argument, with the name and value of the offending field, unless angles and limits are finite
-  /// and in order and there is at least one range.
+  /// and in order.
+  void validate() const;
+};
+
+bool operator==(const ScanLayout& a, const ScanLayout& b);
+inline bool operator!=(const ScanLayout& a, const ScanLayout& b) { return !(a == b); }
+
+/// Ranges of a planar laser.
+struct PlanarScan : ScanLayout {
+  std::vector<float> ranges;  ///< [m]; inf, nan and values outside [range_min, range_max] are allowed (castBeams).
+
+  /// Throws std::invalid_argument as ScanLayout::validate(), and when there is no range.
   void validate() const;
 };
 

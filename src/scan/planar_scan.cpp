@@ -1,4 +1,4 @@
-#include "map_matcher/mapping/planar_scan.hpp"
+#include "map_matcher/scan/planar_scan.hpp"
 
 #include <cmath>
 #include <stdexcept>
@@ -6,7 +6,7 @@
 
 namespace map_matcher {
 
-void PlanarScan::validate() const {
+void ScanLayout::validate() const {
   if (!std::isfinite(angle_min)) {
     throw std::invalid_argument("angle_min is " + std::to_string(angle_min) + ", expected a finite angle in rad");
   }
@@ -21,6 +21,15 @@ void PlanarScan::validate() const {
     throw std::invalid_argument("range_max is " + std::to_string(range_max) +
                                 ", expected more than range_min = " + std::to_string(range_min) + " m");
   }
+}
+
+bool operator==(const ScanLayout& a, const ScanLayout& b) {
+  return a.angle_min == b.angle_min && a.angle_increment == b.angle_increment && a.range_min == b.range_min &&
+         a.range_max == b.range_max;
+}
+
+void PlanarScan::validate() const {
+  ScanLayout::validate();
   if (ranges.empty()) {
     throw std::invalid_argument("the scan has 0 ranges, expected at least 1");
   }

@@ -1,0 +1,126 @@
+/// \file
+/// One drive through mapper and matcher, offline: what the nodes would have done with it.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "map_matcher/evaluation/trajectory_error.hpp"
+#include "map_matcher/mapping/session_mapper.hpp"
+#include "map_matcher/scrubbing/detection_cache.hpp"
+#include "map_matcher/scrubbing/scan_scrubber.hpp"
+#include "map_matcher/scrubbing/scrubbing_options.hpp"
+#include "map_matcher/search/map_matcher.hpp"
+
+namespace map_matcher {
+
+/// A scan of one of the robot's lasers.
+struct TrialScan {
+  PlanarScan scan;
+  LaserMount mount;
+};
+
+/// What a robot knew at an instant.
+struct TrialStep {
+  double time = 0.0;             ///< [s]
+  Rigid2 T_odom_base;            ///< Odometry.
+  std::optional<Rigid2> truth;   ///< T_reference_base, where somebody knows it.
+  std::vector<TrialScan> scans;  ///< Of all lasers, at this instant.
+};
+
+/// People that a detector found in a scan of one of the lasers.
+struct TrialDetections {
+  double time = 0.0;      ///< Of the scan [s].
+  double arrival = 0.0;   ///< When they are there [s].
+  std::size_t laser = 0;  ///< Index of the laser, whose frame the positions are in.
+  std::vector<Detection> detections;
+};
+
+/// What is done with a drive. Ranges stand in parametersOf() of the parts.
+struct TrialOptions {
+  SessionMapperOptions mapper;
+  double map_update_interval = 5.0;  ///< [s] A map is matched after a drawn scan when the last one is older than this.
+  double restart_interval = 0.0;     ///< [s] The session map is thrown away so often (report figure 20); 0: never.
+  bool scrub = false;                ///< Whether scans are scrubbed before the mapper sees them.
+  ScrubbingOptions scrubbing;
+  MatchOptions match;
+};
+
+/// One session map and what the matcher made of it.
+struct TrialQuery {
+  double time = 0.0;         ///< Of the map [s].
+  int session = 0;           ///< Counts the sessions from 0.
+  double session_age = 0.0;  ///< Since the session's first scan [s].
+  double travelled = 0.0;    ///< In the session, by odometry [m].
+  MatchResult result;
+  Rigid2 T_session_base;                 ///< Where the mapper believes the robot to be in its map.
+  std::optional<Rigid2> true_alignment;  ///< T_reference_session as of the session's first scan, where it is known.
+  std::optional<Rigid2> truth;           ///< T_reference_base, where it is known.
+  int falsely_occupied = 0;              ///< Session cells in free space of the reference, at the matched pose [cells].
+  int occupied = 0;                      ///< Occupied session cells [cells].
+
+  /// T_reference_session by the match; nothing without one.
+  std::optional<Rigid2> alignment() const;
+  /// T_reference_base by the match; nothing without one.
+  std::optional<Rigid2> estimate() const;
+  /// Of the robot's pose; nothing when it or the truth is not known.
+  std::optional<PoseError> robotError() const;
+};
+
+/// Runs one drive. Not thread-safe.
+class Trial {
+ public:
+  /// `reference` is what session maps are matched to. Throws std::invalid_argument that names every option out of
+  /// range.
+  Trial(const OccupancyGrid& reference, const TrialOptions& options);
+
+  /// Detections, in the order of their arrival; they apply to steps from then on.
+  void add(const TrialDetections& detections);
+
+  /// The next instant, in the order of time.
+  void add(const TrialStep& step);
+
+  /// Called once with the first session map that is matched and T_reference_session.
+  using OnFirstMatch = std::function<void(const OccupancyGrid&, const Rigid2&)>;
+  void onFirstMatch(OnFirstMatch on_first_match) { on_first_match_ = std::move(on_first_match); }
+
+  const std::vector<TrialQuery>& queries() const { return queries_; }
+
+  /// The last session map; nothing before the first scan was drawn.
+  std::optional<OccupancyGrid> sessionMap() const { return mapper_.map(); }
+
+ private:
+  struct PastPose {
+    double time = 0.0;
+    Rigid2 T_odom_base;
+  };
+
+  void beginSession(const TrialStep& step);
+  void takePending(double time);
+  PlanarScan scrubbed(const TrialScan& scan, const TrialStep& step);
+  std::optional<Eigen::Isometry3d> poseOf(const DetectionSet& set, const TrialScan& scan, const TrialStep& step) const;
+  void match(const TrialStep& step);
+
+  TrialOptions options_;
+  OccupancyGrid reference_;
+  SessionMapper mapper_;
+  MapMatcher matcher_;
+  DetectionCache cache_;
+  ScanScrubber scrubber_;
+  std::vector<TrialDetections> pending_;  // not there yet
+  std::vector<PastPose> past_;            // of the last moments, for detections of earlier scans
+  std::vector<LaserMount> mounts_;        // of each laser
+  std::vector<TrialQuery> queries_;
+  OnFirstMatch on_first_match_;  // null when it was called, or nobody asked
+  int session_ = -1;
+  double session_start_ = 0.0;
+  std::optional<double> last_map_;
+  double travelled_ = 0.0;
+  std::optional<Rigid2> last_odometry_;
+  std::optional<Rigid2> true_alignment_;
+};
+
+}  // namespace map_matcher

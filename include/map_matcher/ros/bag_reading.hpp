@@ -1,0 +1,45 @@
+/// \file
+/// Opening bags and finding one's way in them.
+#pragma once
+
+#include <rosbag/bag.h>
+#include <tf2/buffer_core.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <map>
+#include <stdexcept>
+#include <string>
+
+namespace map_matcher {
+
+/// A bag that cannot be used; the message names the bag, what is wrong and what is there instead.
+class BagError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Topics of a bag with their types.
+using BagTopics = std::map<std::string, std::string>;
+
+/// Opens a bag for reading. Throws BagError for a file that cannot be read or has no index.
+void openBag(rosbag::Bag& bag, const std::string& path);
+
+BagTopics topicsOf(const rosbag::Bag& bag);
+
+/// "/odom (nav_msgs/Odometry), /scan (sensor_msgs/LaserScan)"; "nothing" when there is none.
+std::string listed(const BagTopics& topics);
+
+/// A topic by its name with or without the leading slash. Throws BagError when there is none; `bag` names the bag.
+std::string chooseTopic(const std::string& bag, const BagTopics& topics, const std::string& asked);
+
+/// The topic of the scans: the one asked for, with or without its leading slash, or when that is empty the only one of
+/// type sensor_msgs/LaserScan. Throws BagError when there is none or no telling which. `bag` names the bag.
+std::string chooseScanTopic(const std::string& bag, const BagTopics& topics, const std::string& asked);
+
+/// Hands all transforms of a message to the buffer.
+void takeTransforms(const tf2_msgs::TFMessage& message, bool is_static, tf2::BufferCore& tf);
+
+/// Hands all of /tf_static to the buffer.
+void takeStaticTransforms(const rosbag::Bag& bag, tf2::BufferCore& tf);
+
+}  // namespace map_matcher

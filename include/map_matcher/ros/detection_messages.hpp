@@ -1,0 +1,25 @@
+/// \file
+/// Detected people from ROS messages.
+#pragma once
+
+#include <geometry_msgs/PoseArray.h>
+#include <map_matcher/PersonDetections.h>
+#include <ros/time.h>
+
+#include <string>
+
+#include "map_matcher/scrubbing/detections.hpp"
+
+namespace map_matcher {
+
+/// The stamp of a message, exactly.
+Stamp stampOf(const ros::Time& time);
+
+/// The people of DR-SPAAM's message, all with score 1; of the poses only the positions are read, since DR-SPAAM leaves
+/// the quaternions zero. `source` is the name of the detector. Throws MessageError when there is no frame.
+DetectionSet fromMessage(const geometry_msgs::PoseArray& message, const std::string& source);
+
+/// The same for a detector with scores.
+DetectionSet fromMessage(const PersonDetections& message, const std::string& source);
+
+}  // namespace map_matcher

@@ -1,0 +1,27 @@
+#include "map_matcher/evaluation/map_quality.hpp"
+
+#include "map_matcher/grid/near_walls.hpp"
+#include "map_matcher/grid/occupied_cells.hpp"
+
+namespace map_matcher {
+
+MapQuality mapQuality(const OccupancyGrid& true_map, const OccupancyGrid& session, const Rigid2& T_true_session,
+                      double tolerance, std::int8_t occupied_threshold) {
+  const NearWalls near_walls(true_map, tolerance, occupied_threshold);
+  MapQuality quality;
+  for (const Cell& cell : occupiedCells(session, occupied_threshold)) {
+    const Eigen::Vector2d place = T_true_session * session.geometry().cellCentre(cell);
+    const Cell there = true_map.geometry().cellAt(place);
+    ++quality.occupied;
+    if (near_walls.isNearWall(place)) {
+      ++quality.on_walls;
+    } else if (true_map.geometry().contains(there) && true_map.at(there.x, there.y) != kUnknown) {
+      ++quality.falsely_occupied;
+    } else {
+      ++quality.unknown;
+    }
+  }
+  return quality;
+}
+
+}  // namespace map_matcher

@@ -1,0 +1,27 @@
+#include "map_matcher/evaluation/simulated_trial.hpp"
+
+namespace map_matcher {
+
+TrialStep trialStepOf(const DriveStep& step, const std::vector<Rigid2>& T_base_lidar) {
+  TrialStep trial_step{step.time, step.T_odom_base, step.T_map_base, {}};
+  for (std::size_t i = 0; i < step.scans.size(); ++i) {
+    trial_step.scans.push_back({step.scans[i], {T_base_lidar[i], false}});
+  }
+  return trial_step;
+}
+
+std::vector<TrialDetections> trialDetectionsOf(const DriveStep& step) {
+  std::vector<TrialDetections> all;
+  for (std::size_t laser = 0; laser < step.detections.size(); ++laser) {
+    if (const auto& found = step.detections[laser]) {
+      TrialDetections detections{found->time, found->arrival, laser, {}};
+      for (const DetectedPerson& person : found->people) {
+        detections.detections.push_back({{person.position.x(), person.position.y(), 0.0}, person.score});
+      }
+      all.push_back(std::move(detections));
+    }
+  }
+  return all;
+}
+
+}  // namespace map_matcher

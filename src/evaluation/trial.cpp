@@ -1,0 +1,175 @@
+#include "map_matcher/evaluation/trial.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "map_matcher/evaluation/map_quality.hpp"
+#include "map_matcher/parameters/option_check.hpp"
+
+namespace map_matcher {
+namespace {
+
+constexpr double kWallTolerance = 0.15;  // [m] from a wall: not falsely occupied
+constexpr double kRemembered = 2.0;      // [s] of odometry
+
+Stamp stampOf(double time) { return std::chrono::duration_cast<Stamp>(std::chrono::duration<double>(time)); }
+
+/// Pose of a laser that scans in a plane parallel to the floor; one that hangs upside down is turned about its x axis.
+Eigen::Isometry3d toSpace(const Rigid2& pose, bool upside_down) {
+  Eigen::Isometry3d spatial = Eigen::Isometry3d::Identity();
+  spatial.translate(Eigen::Vector3d(pose.x, pose.y, 0.0));
+  spatial.rotate(Eigen::AngleAxisd(pose.yaw, Eigen::Vector3d::UnitZ()));
+  if (upside_down) {
+    spatial.rotate(Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitX()));
+  }
+  return spatial;
+}
+
+}  // namespace
+
+std::optional<Rigid2> TrialQuery::alignment() const {
+  if (!result.matched()) {
+    return std::nullopt;
+  }
+  return result.T_reference_session;
+}
+
+std::optional<Rigid2> TrialQuery::estimate() const {
+  if (!result.matched()) {
+    return std::nullopt;
+  }
+  return result.T_reference_session * T_session_base;
+}
+
+std::optional<PoseError> TrialQuery::robotError() const {
+  const std::optional<Rigid2> pose = estimate();
+  return pose && truth ? std::optional<PoseError>(errorOf(*pose, *truth)) : std::nullopt;
+}
+
+Trial::Trial(const OccupancyGrid& reference, const TrialOptions& options)
+    : options_(options),
+      reference_(reference),
+      mapper_(options.mapper),
+      matcher_(options.match),
+      cache_(options.scrubbing.cache) {
+  ScrubbingOptions scrubbing = options.scrubbing;
+  throwIfAny(problemsOf(parametersOf(scrubbing)));
+  matcher_.setReference(reference);
+}
+
+void Trial::add(const TrialDetections& detections) {
+  if (options_.scrub) {
+    pending_.push_back(detections);
+  }
+}
+
+void Trial::add(const TrialStep& step) {
+  const bool restart = options_.restart_interval > 0.0 && step.time - session_start_ >= options_.restart_interval;
+  if (session_ < 0 || restart) {
+    beginSession(step);
+  }
+  if (last_odometry_) {
+    travelled_ += (step.T_odom_base.translation() - last_odometry_->translation()).norm();
+  }
+  last_odometry_ = step.T_odom_base;
+  past_.push_back({step.time, step.T_odom_base});
+  past_.erase(past_.begin(), std::find_if(past_.begin(), past_.end(), [&step](const PastPose& pose) {
+                return pose.time >= step.time - kRemembered;
+              }));
+  takePending(step.time);
+  mounts_.clear();
+  for (const TrialScan& scan : step.scans) {
+    mounts_.push_back(scan.mount);
+  }
+  bool drawn = false;
+  for (const TrialScan& scan : step.scans) {
+    const ScanReport report =
+        mapper_.addScan(step.T_odom_base, options_.scrub ? scrubbed(scan, step) : scan.scan, scan.mount);
+    drawn = drawn || report.outcome == ScanOutcome::kDrawn;
+  }
+  cache_.forget(stampOf(step.time));
+  if (drawn && (!last_map_ || step.time - *last_map_ > options_.map_update_interval)) {
+    last_map_ = step.time;
+    match(step);
+  }
+}
+
+void Trial::beginSession(const TrialStep& step) {
+  mapper_.reset();
+  ++session_;
+  session_start_ = step.time;
+  last_map_.reset();
+  travelled_ = 0.0;
+  // The session frame is the odometry frame at the first scan.
+  true_alignment_ = step.truth ? std::optional<Rigid2>(*step.truth * step.T_odom_base.inverse()) : std::nullopt;
+}
+
+/// Hands the detections that are there by now to the cache.
+void Trial::takePending(double time) {
+  const auto is_late = [time](const TrialDetections& detections) { return detections.arrival > time; };
+  const auto end = std::stable_partition(pending_.begin(), pending_.end(), is_late);
+  for (auto it = end; it != pending_.end(); ++it) {
+    DetectionSet set{"detector", std::to_string(it->laser), stampOf(it->time), it->detections};
+    applyLimits(set, options_.scrubbing.limits);
+    cache_.add(std::move(set));
+  }
+  pending_.erase(end, pending_.end());
+}
+
+PlanarScan Trial::scrubbed(const TrialScan& scan, const TrialStep& step) {
+  const std::vector<Disc>& discs =
+      cache_.discsAt(stampOf(step.time), [&](const DetectionSet& set) { return poseOf(set, scan, step); });
+  const std::vector<std::uint32_t>& beams = scrubber_.beamsInside(scan.scan, scan.scan.ranges, discs);
+  PlanarScan result = scan.scan;
+  if (static_cast<double>(beams.size()) <= options_.scrubbing.max_removed_fraction * scrubber_.numPoints()) {
+    const float range = removedRange(options_.scrubbing.removed_range, scan.scan);
+    for (const std::uint32_t beam : beams) {
+      result.ranges[beam] = range;
+    }
+  }
+  return result;
+}
+
+/// Through the odometry at the time of the detections, as tf would.
+std::optional<Eigen::Isometry3d> Trial::poseOf(const DetectionSet& set, const TrialScan& scan,
+                                               const TrialStep& step) const {
+  const double time = seconds(set.stamp);
+  const auto nearest = std::min_element(past_.begin(), past_.end(), [time](const PastPose& a, const PastPose& b) {
+    return std::abs(a.time - time) < std::abs(b.time - time);
+  });
+  const std::size_t laser = std::stoul(set.frame);
+  if (nearest == past_.end() || laser >= mounts_.size()) {
+    return std::nullopt;
+  }
+  const LaserMount& detector = mounts_[laser];
+  const Rigid2 T_base_past = step.T_odom_base.inverse() * nearest->T_odom_base;
+  return toSpace(scan.mount.T_base_laser, scan.mount.upside_down).inverse() * toSpace(T_base_past, false) *
+         toSpace(detector.T_base_laser, detector.upside_down);
+}
+
+void Trial::match(const TrialStep& step) {
+  const std::optional<OccupancyGrid> map = mapper_.map();
+  TrialQuery query;
+  query.time = step.time;
+  query.session = session_;
+  query.session_age = step.time - session_start_;
+  query.travelled = travelled_;
+  query.result = matcher_.match(*map);
+  query.T_session_base = mapper_.T_session_base();
+  query.true_alignment = true_alignment_;
+  query.truth = step.truth;
+  if (query.result.matched()) {
+    const MapQuality quality = mapQuality(reference_, *map, query.result.T_reference_session, kWallTolerance,
+                                          static_cast<std::int8_t>(options_.match.occupied_threshold));
+    query.falsely_occupied = quality.falsely_occupied;
+    query.occupied = quality.occupied;
+    if (on_first_match_) {
+      std::exchange(on_first_match_, nullptr)(*map, query.result.T_reference_session);
+    }
+  }
+  queries_.push_back(std::move(query));
+}
+
+}  // namespace map_matcher

@@ -1,0 +1,104 @@
+#include "map_matcher/evaluation/trial_table.hpp"
+
+#include <optional>
+#include <sstream>
+
+#include "map_matcher/parameters/number_text.hpp"
+
+namespace map_matcher {
+namespace {
+
+/// A line of cells separated by commas.
+class Row {
+ public:
+  void add(const std::string& text) {
+    line_ << (empty_ ? "" : ",") << text;
+    empty_ = false;
+  }
+  void add(double value) { add(numberText(value)); }
+  void add(const std::optional<double>& value) { add(value ? numberText(*value) : std::string()); }
+  void add(const std::optional<Rigid2>& pose) {
+    for (double Rigid2::*field : {&Rigid2::x, &Rigid2::y, &Rigid2::yaw}) {
+      add(pose ? numberText((*pose).*field) : std::string());
+    }
+  }
+
+  std::string line() const { return line_.str() + "\n"; }
+
+ private:
+  std::ostringstream line_;
+  bool empty_ = true;
+};
+
+const StageReport* stageOf(const MatchResult& result, const std::string& name) {
+  for (const StageReport& stage : result.stages) {
+    if (stage.name == name) {
+      return &stage;
+    }
+  }
+  return nullptr;
+}
+
+void addStage(Row& row, const StageReport* stage) {
+  const auto value = [stage](double StageReport::*field) {
+    return stage != nullptr ? std::optional<double>(stage->*field) : std::nullopt;
+  };
+  row.add(value(&StageReport::ratio));
+  row.add(value(&StageReport::initialization_time));
+  row.add(value(&StageReport::rotation_expansion_time));
+  row.add(value(&StageReport::depth_first_search_time));
+}
+
+/// Difference of two poses in the coordinates of the reference map.
+std::optional<Rigid2> difference(const std::optional<Rigid2>& estimate, const std::optional<Rigid2>& truth) {
+  if (!estimate || !truth) {
+    return std::nullopt;
+  }
+  return Rigid2{estimate->x - truth->x, estimate->y - truth->y, normalizeAngle(estimate->yaw - truth->yaw)};
+}
+
+constexpr const char* kHeader =
+    "session,time,session_age,travelled,status,matched,ratio,search_time,"
+    "coarse_ratio,coarse_initialization_time,coarse_rotation_expansion_time,coarse_depth_first_search_time,"
+    "fine_ratio,fine_initialization_time,fine_rotation_expansion_time,fine_depth_first_search_time,"
+    "alignment_x,alignment_y,alignment_yaw,alignment_x_error,alignment_y_error,alignment_yaw_error,"
+    "estimate_x,estimate_y,estimate_yaw,truth_x,truth_y,truth_yaw,translation_error,rotation_error,"
+    "occupied,falsely_occupied\n";
+
+std::string rowOf(const TrialQuery& query) {
+  const MatchResult& result = query.result;
+  const std::optional<Rigid2> alignment = query.alignment();
+  const std::optional<PoseError> error = query.robotError();
+  Row row;
+  row.add(query.session);
+  row.add(query.time);
+  row.add(query.session_age);
+  row.add(query.travelled);
+  row.add(std::string(toString(result.status)));
+  row.add(result.matched() ? 1.0 : 0.0);
+  row.add(result.ratio);
+  row.add(result.search_time);
+  addStage(row, stageOf(result, "coarse"));
+  addStage(row, stageOf(result, "fine"));
+  row.add(alignment);
+  row.add(difference(alignment, query.true_alignment));
+  row.add(query.estimate());
+  row.add(query.truth);
+  row.add(error ? std::optional<double>(error->translation) : std::nullopt);
+  row.add(error ? std::optional<double>(error->rotation) : std::nullopt);
+  row.add(query.occupied);
+  row.add(query.falsely_occupied);
+  return row.line();
+}
+
+}  // namespace
+
+std::string toCsv(const std::vector<TrialQuery>& queries) {
+  std::string csv = kHeader;
+  for (const TrialQuery& query : queries) {
+    csv += rowOf(query);
+  }
+  return csv;
+}
+
+}  // namespace map_matcher

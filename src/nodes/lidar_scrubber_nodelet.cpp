@@ -1,0 +1,29 @@
+// Removes the points near people from scans, in the process of a nodelet manager.
+
+#include <nodelet/nodelet.h>
+
+#include <memory>
+#include <pluginlib/class_list_macros.hpp>
+#include <stdexcept>
+
+#include "map_matcher/ros/lidar_scrubber_server.hpp"
+#include "map_matcher/ros/run_node.hpp"
+
+namespace map_matcher {
+
+class LidarScrubberNodelet : public nodelet::Nodelet {
+  // Throws when a parameter cannot be used; the manager then refuses to load the nodelet.
+  void onInit() override {
+    LidarScrubberServerOptions options;
+    if (!loadParameters(getPrivateNodeHandle(), parametersOf(options))) {
+      throw std::invalid_argument("lidar_scrubber: parameters that cannot be used, see above");
+    }
+    server_ = std::make_unique<LidarScrubberServer>(getNodeHandle(), getPrivateNodeHandle(), options);
+  }
+
+  std::unique_ptr<LidarScrubberServer> server_;
+};
+
+}  // namespace map_matcher
+
+PLUGINLIB_EXPORT_CLASS(map_matcher::LidarScrubberNodelet, nodelet::Nodelet)

@@ -1,0 +1,36 @@
+#include "map_matcher/ros/detection_messages.hpp"
+
+#include "map_matcher/ros/conversions.hpp"
+
+namespace map_matcher {
+namespace {
+
+DetectionSet emptySet(const std_msgs::Header& header, const std::string& source) {
+  return {source, frameOf(header), stampOf(header.stamp), {}};
+}
+
+Eigen::Vector3d toEigen(const geometry_msgs::Point& point) { return {point.x, point.y, point.z}; }
+
+}  // namespace
+
+Stamp stampOf(const ros::Time& time) { return std::chrono::seconds(time.sec) + std::chrono::nanoseconds(time.nsec); }
+
+DetectionSet fromMessage(const geometry_msgs::PoseArray& message, const std::string& source) {
+  DetectionSet set = emptySet(message.header, source);
+  set.detections.reserve(message.poses.size());
+  for (const geometry_msgs::Pose& pose : message.poses) {
+    set.detections.push_back({toEigen(pose.position), 1.0});
+  }
+  return set;
+}
+
+DetectionSet fromMessage(const PersonDetections& message, const std::string& source) {
+  DetectionSet set = emptySet(message.header, source);
+  set.detections.reserve(message.detections.size());
+  for (const PersonDetection& detection : message.detections) {
+    set.detections.push_back({toEigen(detection.position), static_cast<double>(detection.score)});
+  }
+  return set;
+}
+
+}  // namespace map_matcher

@@ -1,0 +1,41 @@
+/// \file
+/// The arguments of programs that simulate a drive.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "map_matcher/grid/occupancy_grid.hpp"
+#include "map_matcher/simulation/drive.hpp"
+
+namespace map_matcher::tools {
+
+/// Where and how to drive, as asked for on the command line.
+class DriveArguments {
+ public:
+  /// Takes a first look at the command line: the robot that it names has defaults of its own.
+  DriveArguments(int argc, char** argv);
+
+  /// Adds the options --map, --building-seed, --seed, --robot, --itinerary, --start, --waypoints and one for each
+  /// parameter of a drive. This object must outlive the parsing.
+  void describe(CLI::App& app);
+
+  /// The map to drive in. Throws as loadMap().
+  OccupancyGrid map() const;
+
+  /// Throws std::invalid_argument for arguments that contradict each other.
+  DriveOptions options() const;
+
+ private:
+  std::string map_;
+  std::uint64_t building_seed_ = 1;
+  std::string robot_ = "pioneer";
+  std::string itinerary_;
+  std::vector<double> start_;
+  std::vector<double> waypoints_;
+  DriveOptions drive_;
+};
+
+}  // namespace map_matcher::tools

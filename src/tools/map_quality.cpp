@@ -1,0 +1,95 @@
+// Compares a session map with the true map: how much of it is really there?
+
+#include "map_matcher/evaluation/map_quality.hpp"
+
+#include <CLI/CLI.hpp>
+#include <iomanip>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "command_line.hpp"
+#include "map_matcher/evaluation/overlay_image.hpp"
+#include "map_matcher/grid/map_file.hpp"
+#include "map_matcher/search/map_matcher.hpp"
+
+namespace {
+
+using map_matcher::MapQuality;
+using map_matcher::OccupancyGrid;
+using map_matcher::Rigid2;
+
+constexpr int kNoMatch = 1;  // exit status
+
+struct Arguments {
+  std::string truth;
+  std::string session;
+  std::vector<double> pose;
+  double tolerance = 0.15;
+  std::string overlay;
+};
+
+std::optional<Rigid2> matchedPose(const OccupancyGrid& truth, const OccupancyGrid& session) {
+  map_matcher::MapMatcher matcher;
+  matcher.setReference(truth);
+  const map_matcher::MatchResult result = matcher.match(session);
+  if (!result.matched()) {
+    std::cout << toString(result.status) << ": " << result.reason << '\n';
+    return std::nullopt;
+  }
+  return result.T_reference_session;
+}
+
+void print(const MapQuality& quality, const Rigid2& T_true_session, double tolerance) {
+  const auto row = [&quality](const char* name, int cells) {
+    std::cout << std::left << std::setw(20) << name << cells << " cells ("
+              << 100.0 * cells / std::max(1, quality.occupied) << " %)\n";
+  };
+  std::cout << std::setprecision(3) << "compared at x " << T_true_session.x << " m, y " << T_true_session.y
+            << " m, yaw " << T_true_session.yaw << " rad\n";
+  row("occupied", quality.occupied);
+  row("on walls", quality.on_walls);
+  row("falsely occupied", quality.falsely_occupied);
+  row("where unknown", quality.unknown);
+  std::cout << "within " << tolerance << " m of a wall counts as on it\n";
+}
+
+int compare(const Arguments& arguments) {
+  const OccupancyGrid truth = map_matcher::loadMap(arguments.truth);
+  const OccupancyGrid session = map_matcher::loadMap(arguments.session);
+  std::optional<Rigid2> pose;
+  if (arguments.pose.empty()) {
+    pose = matchedPose(truth, session);
+  } else {
+    pose = Rigid2{arguments.pose[0], arguments.pose[1], arguments.pose[2]};
+  }
+  if (!pose) {
+    return kNoMatch;
+  }
+  print(mapQuality(truth, session, *pose, arguments.tolerance), *pose, arguments.tolerance);
+  if (!arguments.overlay.empty()) {
+    map_matcher::writeOverlayImage(arguments.overlay, truth, session, pose);
+  }
+  return map_matcher::tools::kDone;
+}
+
+void describe(CLI::App& app, Arguments& arguments) {
+  app.add_option("--truth", arguments.truth, "YAML file of the true map")->required();
+  app.add_option("--session", arguments.session, "YAML file of the session map")->required();
+  app.add_option("--pose", arguments.pose, "x y yaw of the session map in the true map [m m rad]; default: by matching")
+      ->expected(3);
+  app.add_option("--tolerance", arguments.tolerance, "distance from a wall that counts as on it [m]")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 10.0));
+  app.add_option("--overlay", arguments.overlay, "picture of both maps");
+  app.footer("Exit status: 0 compared, 1 no match, 2 bad input.");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Compares a session map with the true map.", "map_quality");
+  Arguments arguments;
+  describe(app, arguments);
+  return map_matcher::tools::run(app, argc, argv, [&arguments] { return compare(arguments); });
+}
