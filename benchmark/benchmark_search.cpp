@@ -52,10 +52,8 @@ MapPair syntheticOffice(std::size_t num_cells) {
   mapper_options.max_range = 12.0;  // a session map of about 24 m x 24 m, not one as long as the corridor
   SessionMapper mapper(mapper_options);
   for (const DriveStep& step : drive.steps) {
-    const LidarScan& scan = step.scans.front();
-    const ScanReport report = mapper.addScan(
-        step.T_odom_base, {scan.angle_min, scan.angle_increment, scan.range_min, scan.range_max, scan.ranges},
-        {drive.T_base_lidar.front(), false});
+    const ScanReport report =
+        mapper.addScan(step.T_odom_base, step.scans.front(), {drive.T_base_lidar.front(), false});
     if (report.outcome == ScanOutcome::kDrawn && occupiedCells(*mapper.map()).size() >= num_cells) {
       break;
     }

@@ -57,12 +57,20 @@ std::optional<Rigid2> difference(const std::optional<Rigid2>& estimate, const st
   return Rigid2{estimate->x - truth->x, estimate->y - truth->y, normalizeAngle(estimate->yaw - truth->yaw)};
 }
 
+/// How far the heading in the session map is from the true one: what bends walls that are parallel in truth.
+std::optional<double> headingDrift(const TrialQuery& query) {
+  if (!query.true_alignment || !query.truth) {
+    return std::nullopt;
+  }
+  return normalizeAngle(query.T_session_base.yaw - (query.true_alignment->inverse() * *query.truth).yaw);
+}
+
 constexpr const char* kHeader =
     "session,time,session_age,travelled,status,matched,ratio,search_time,"
     "coarse_ratio,coarse_initialization_time,coarse_rotation_expansion_time,coarse_depth_first_search_time,"
     "fine_ratio,fine_initialization_time,fine_rotation_expansion_time,fine_depth_first_search_time,"
     "alignment_x,alignment_y,alignment_yaw,alignment_x_error,alignment_y_error,alignment_yaw_error,"
-    "estimate_x,estimate_y,estimate_yaw,truth_x,truth_y,truth_yaw,translation_error,rotation_error,"
+    "heading_drift,estimate_x,estimate_y,estimate_yaw,truth_x,truth_y,truth_yaw,translation_error,rotation_error,"
     "occupied,falsely_occupied\n";
 
 std::string rowOf(const TrialQuery& query) {
@@ -82,6 +90,7 @@ std::string rowOf(const TrialQuery& query) {
   addStage(row, stageOf(result, "fine"));
   row.add(alignment);
   row.add(difference(alignment, query.true_alignment));
+  row.add(headingDrift(query));
   row.add(query.estimate());
   row.add(query.truth);
   row.add(error ? std::optional<double>(error->translation) : std::nullopt);

@@ -37,6 +37,7 @@ struct Arguments {
   TrialOptions trial;
   std::string output;
   std::string session;
+  bool place_session = false;
   std::string first_overlay;
   std::string last_overlay;
 };
@@ -100,6 +101,16 @@ void printSummary(const Trial& trial) {
   std::cout << '\n';
 }
 
+/// The session map in the frame of the truth, where it really lies.
+OccupancyGrid placed(const OccupancyGrid& session, const Trial& trial) {
+  if (!trial.trueAlignment()) {
+    throw std::invalid_argument("--place-session is given, but the drive has no true poses");
+  }
+  map_matcher::GridGeometry geometry = session.geometry();
+  geometry.T_map_grid = *trial.trueAlignment() * geometry.T_map_grid;
+  return {geometry, session.values()};
+}
+
 void evaluate(const Arguments& arguments) {
   const bool recorded = !arguments.recorded.bag.empty();
   if (recorded && arguments.reference.empty()) {
@@ -125,7 +136,7 @@ void evaluate(const Arguments& arguments) {
   write(arguments.output, toCsv(trial.queries()));
   const auto session = trial.sessionMap();
   if (session && !arguments.session.empty()) {
-    saveMap(*session, arguments.session);
+    saveMap(arguments.place_session ? placed(*session, trial) : *session, arguments.session);
   }
   if (session && !arguments.last_overlay.empty()) {
     std::optional<map_matcher::Rigid2> pose;
@@ -149,6 +160,7 @@ void describe(CLI::App& app, Arguments& arguments) {
       ->capture_default_str()
       ->check(CLI::Range(0.0, 1e6));
   app.add_option("--session", arguments.session, "YAML file for the last session map");
+  app.add_flag("--place-session", arguments.place_session, "write it in the frame of the truth, where it really lies");
   app.add_option("--first-overlay", arguments.first_overlay, "picture of the first match");
   app.add_option("--last-overlay", arguments.last_overlay, "picture of the last session map where it was matched");
   auto* bag = app.add_option("--bag", arguments.recorded.bag, "recorded drive to use instead of a simulated one");

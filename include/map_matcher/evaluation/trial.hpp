@@ -89,6 +89,9 @@ class Trial {
 
   const std::vector<TrialQuery>& queries() const { return queries_; }
 
+  /// T_reference_session of the present session, where it is known.
+  const std::optional<Rigid2>& trueAlignment() const { return true_alignment_; }
+
   /// The last session map; nothing before the first scan was drawn.
   std::optional<OccupancyGrid> sessionMap() const { return mapper_.map(); }
 

@@ -1,0 +1,24 @@
+"""The experiments of an evaluation. Each has a NAME, plan(runs, arguments), which names the runs it needs, and
+report(plan, page), which draws figures into the directory of the page and returns its part of the text."""
+import cold_starts
+import crowd
+import mapping
+import own
+import real_logs
+import static
+
+ALL = [static, crowd, cold_starts, mapping, real_logs]
+
+
+def own_bag(arguments):
+    return own.Bag(arguments)
+
+
+def write_page(page, parts, arguments):
+    """The page of an evaluation, from the parts of its experiments."""
+    kind = " of a bag" if arguments.bag else ", quick" if arguments.quick else ""
+    head = ["# Evaluation" + kind, "",
+            "Written by `scripts/evaluate`; do not edit. Each table and figure comes from the CSV file named beside it, "
+            "each row of which holds the run it belongs to; the runs' arguments, seeds included, are listed at the "
+            "end of each part. Session maps are drawn by session_mapper.", ""]
+    (page / "README.md").write_text("\n".join(head + parts), encoding="utf-8")
