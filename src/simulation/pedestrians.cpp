@@ -80,6 +80,15 @@ ParameterList parametersOf(PedestrianOptions& options) {
   };
 }
 
+std::vector<Circle> legsOf(const std::vector<Person>& people) {
+  std::vector<Circle> legs;
+  legs.reserve(2 * people.size());
+  for (const Person& person : people) {
+    legs.insert(legs.end(), person.legs.begin(), person.legs.end());
+  }
+  return legs;
+}
+
 Pedestrians::Pedestrians(const World& world, const PedestrianOptions& options, const RandomNumbers& random,
                          const std::optional<Circle>& kept_free)
     : world_(world),

@@ -34,11 +34,7 @@ struct Hall {
   }
 
   LidarView look(const std::vector<Person>& people) const {
-    std::vector<Circle> legs;
-    for (const Person& person : people) {
-      legs.insert(legs.end(), person.legs.begin(), person.legs.end());
-    }
-    return Lidar(lidar_options, RandomNumbers(1)).scanAmong(legs, World(map), T_map_lidar);
+    return Lidar(lidar_options, RandomNumbers(1)).scanAmong(legsOf(people), World(map), T_map_lidar);
   }
 
   PersonDetector detector() const { return PersonDetector(map, options, RandomNumbers(7)); }
@@ -184,11 +180,7 @@ Quality qualityOf(const DriveOptions& options) {
     const Rigid2 T_lidar_map = T_map_lidar.inverse();
     LidarOptions exact = options.lidar;
     exact.sigma = 0.0;
-    std::vector<Circle> legs;
-    for (const Person& person : step->people) {
-      legs.insert(legs.end(), person.legs.begin(), person.legs.end());
-    }
-    const LidarView view = Lidar(exact, RandomNumbers(1)).scanAmong(legs, world, step->T_map_base);
+    const LidarView view = Lidar(exact, RandomNumbers(1)).scanAmong(legsOf(step->people), world, step->T_map_base);
     std::vector<Eigen::Vector2d> in_sight;
     for (std::size_t i = 0; i < step->people.size(); ++i) {
       const Eigen::Vector2d position = T_lidar_map * step->people[i].position;

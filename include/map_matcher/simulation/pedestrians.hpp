@@ -41,6 +41,9 @@ struct Person {
   std::array<Circle, 2> legs;  ///< Left and right, in the map frame.
 };
 
+/// The legs of people: left and right of the first, left and right of the second, and so on.
+std::vector<Circle> legsOf(const std::vector<Person>& people);
+
 /// The robot as people have to avoid it.
 struct RobotSweep {
   std::vector<Eigen::Vector2d> centres;  ///< Where the robot is now and on its way to a stop [m]; one or more.
