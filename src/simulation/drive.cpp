@@ -264,13 +264,10 @@ DriveStep DriveSimulation::look() {
                  {},
                  {},
                  {}};
-  std::vector<Circle> legs;
   if (people_) {
     step.people = people_->people();
-    for (const Person& person : step.people) {
-      legs.insert(legs.end(), person.legs.begin(), person.legs.end());
-    }
   }
+  const std::vector<Circle> legs = legsOf(step.people);
   for (std::size_t i = 0; i < lidars_.size(); ++i) {
     LidarView view = lidars_[i].scanAmong(legs, world_, step.T_map_base);
     if (people_) {

@@ -10,9 +10,7 @@ namespace map_matcher {
 namespace {
 
 constexpr double kPlanningMargin = 0.02;     // [m] that planned ways keep beyond the body
-constexpr std::size_t kGoals = 96;           // places that people walk to
-constexpr double kErrand = 7.0;              // [m] to the next goal, at most, where there is one
-constexpr int kGoalTrials = 20;              // goals that are looked at for one that is so near
+constexpr int kWayTrials = 20;               // goals that are looked at for one with a way out
 constexpr double kWidestLane = 0.6;          // [m] that people keep to the right of the planned way, at most
 constexpr double kArrived = 0.8;             // [m] from a goal
 constexpr double kWayAhead = 2.0;            // [m] of the planned way that are looked at
@@ -82,6 +80,15 @@ ParameterList parametersOf(PedestrianOptions& options) {
   };
 }
 
+std::vector<Circle> legsOf(const std::vector<Person>& people) {
+  std::vector<Circle> legs;
+  legs.reserve(2 * people.size());
+  for (const Person& person : people) {
+    legs.insert(legs.end(), person.legs.begin(), person.legs.end());
+  }
+  return legs;
+}
+
 Pedestrians::Pedestrians(const World& world, const PedestrianOptions& options, const RandomNumbers& random,
                          const std::optional<Circle>& kept_free)
     : world_(world),
@@ -94,10 +101,7 @@ Pedestrians::Pedestrians(const World& world, const PedestrianOptions& options, c
   if (count == 0 || planner_.places().empty()) {
     return;
   }
-  while (goals_.size() < kGoals) {
-    goals_.push_back(randomPlace());
-  }
-  ways_.resize(goals_.size());
+  errands_.emplace(planner_, random_);
   populate(count, kept_free);
   updatePeople();
 }
@@ -152,7 +156,7 @@ bool Pedestrians::place(const Eigen::Vector2d& position, double heading, bool st
   const double speed = options_.speed + options_.speed_sigma * std::clamp(random_.gaussian(), -2.0, 2.0);
   const double leg_radius = options_.leg_radius * random_.uniform(1.0 - kLegVariation, 1.0 + kLegVariation);
   const double half_width = std::min(kHalfStance, radius - leg_radius);
-  const auto goal = stands ? std::nullopt : std::optional(randomGoal(position));
+  const auto goal = stands ? std::nullopt : std::optional(errands_->randomGoal(position, random_));
   index_.insert(walkers_.size(), position);
   walkers_.push_back({{position, Eigen::Vector2d::Zero(), radius},
                       heading,
@@ -171,23 +175,14 @@ Eigen::Vector2d Pedestrians::randomPlace() {
   return places[random_.index(places.size())];
 }
 
-/// One of the nearer goals: people who cross the whole building would all meet in its middle.
-std::size_t Pedestrians::randomGoal(const Eigen::Vector2d& position) {
-  std::size_t goal = random_.index(goals_.size());
-  for (int i = 0; i < kGoalTrials && (goals_[goal] - position).norm() > kErrand; ++i) {
-    goal = random_.index(goals_.size());
-  }
-  return goal;
-}
-
 /// A goal for somebody who is held up: one whose way is free at first, where there is one.
 std::size_t Pedestrians::goalWithAWayOut(std::size_t index) {
   const Eigen::Vector2d& position = walkers_[index].body.position;
   std::size_t goal = 0;
   bool is_free = false;
-  for (int i = 0; i < kGoalTrials && !is_free; ++i) {
-    goal = randomGoal(position);
-    const std::vector<Eigen::Vector2d> way = waysTo(goal).ahead(position, kEscape);
+  for (int i = 0; i < kWayTrials && !is_free; ++i) {
+    goal = errands_->randomGoal(position, random_);
+    const std::vector<Eigen::Vector2d> way = errands_->waysTo(goal).ahead(position, kEscape);
     if (way.empty()) {
       continue;
     }
@@ -198,13 +193,6 @@ std::size_t Pedestrians::goalWithAWayOut(std::size_t index) {
     });
   }
   return goal;
-}
-
-const WayField& Pedestrians::waysTo(std::size_t goal) {
-  if (!ways_[goal]) {
-    ways_[goal] = planner_.waysTo(goals_[goal]);
-  }
-  return *ways_[goal];
 }
 
 void Pedestrians::step(double period, const RobotSweep& robot) {
@@ -252,12 +240,12 @@ void Pedestrians::move(std::size_t index, double period, const RobotSweep& robot
 Eigen::Vector2d Pedestrians::walk(std::size_t index, double period, const RobotSweep& robot) {
   Walker& walker = walkers_[index];
   walker.held_up = walker.body.velocity.norm() < kHeldUpShare * walker.speed ? walker.held_up + period : 0.0;
-  const bool arrived = (goals_[*walker.goal] - walker.body.position).norm() < kArrived;
+  const bool arrived = (errands_->placeOf(*walker.goal) - walker.body.position).norm() < kArrived;
   if (arrived || walker.held_up > kPatience) {
-    walker.goal = arrived ? randomGoal(walker.body.position) : goalWithAWayOut(index);
+    walker.goal = arrived ? errands_->randomGoal(walker.body.position, random_) : goalWithAWayOut(index);
     walker.held_up = random_.uniform(0.0, 0.5 * kPatience);  // people who block each other do not try again together
   }
-  const std::vector<Eigen::Vector2d> way = waysTo(*walker.goal).ahead(walker.body.position, kWayAhead);
+  const std::vector<Eigen::Vector2d> way = errands_->waysTo(*walker.goal).ahead(walker.body.position, kWayAhead);
   if (way.empty()) {
     return Eigen::Vector2d::Zero();
   }

@@ -2,85 +2,27 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
-#include <limits>
 #include <stdexcept>
 #include <string>
 
 #include "map_matcher/grid/map_file.hpp"
-#include "map_matcher/grid/resample.hpp"
 #include "map_matcher/simulation/drive.hpp"
-#include "map_matcher/simulation/office_building.hpp"
 #include "support/ascii_map.hpp"
 #include "support/data_dir.hpp"
+#include "support/drives.hpp"
 #include "support/thrown_text.hpp"
 
 namespace map_matcher {
 namespace {
 
 using test::asciiMap;
+using test::building;
+using test::distanceDriven;
+using test::expectNoCollision;
+using test::longestStay;
+using test::shortDrive;
 using test::thrownText;
-
-OccupancyGrid building(std::uint64_t seed) {
-  OfficeBuildingOptions options;
-  options.seed = seed;
-  return officeBuilding(options);
-}
-
-DriveOptions shortDrive(std::uint64_t seed) {
-  DriveOptions options;
-  options.seed = seed;
-  options.duration = 30.0;
-  options.lidar.beams = 91;
-  return options;
-}
-
-double distanceDriven(const Drive& drive) {
-  double distance = 0.0;
-  for (std::size_t i = 1; i < drive.steps.size(); ++i) {
-    distance += (drive.steps[i].T_map_base.translation() - drive.steps[i - 1].T_map_base.translation()).norm();
-  }
-  return distance;
-}
-
-/// Whether a circle touches a cell that is not free, by looking at every cell near it.
-bool touchesSomething(const OccupancyGrid& grid, const Eigen::Vector2d& p_map, double radius) {
-  const GridGeometry& geometry = grid.geometry();
-  const Eigen::Vector2d p = geometry.T_map_grid.inverse() * p_map / geometry.resolution;
-  const double r = radius / geometry.resolution;
-  for (int y = static_cast<int>(std::floor(p.y() - r)); y <= static_cast<int>(std::floor(p.y() + r)); ++y) {
-    for (int x = static_cast<int>(std::floor(p.x() - r)); x <= static_cast<int>(std::floor(p.x() + r)); ++x) {
-      const double dx = std::max({x - p.x(), 0.0, p.x() - (x + 1)});
-      const double dy = std::max({y - p.y(), 0.0, p.y() - (y + 1)});
-      const bool is_free =
-          geometry.contains({x, y}) && grid.at(x, y) >= kFree && grid.at(x, y) < kDefaultOccupiedThreshold;
-      if (!is_free && std::hypot(dx, dy) < r) {
-        return true;
-      }
-    }
-  }
-  return false;
-}
-
-void expectNoCollision(const OccupancyGrid& map, const Drive& drive, double radius) {
-  for (const DriveStep& step : drive.steps) {
-    ASSERT_FALSE(touchesSomething(map, step.T_map_base.translation(), radius))
-        << "at " << step.time << " s in (" << step.T_map_base.x << ", " << step.T_map_base.y << ")";
-  }
-}
-
-/// The longest time that the robot stays within 0.3 m [s].
-double longestStay(const Drive& drive) {
-  double longest = 0.0;
-  const DriveStep* here = &drive.steps.front();
-  for (const DriveStep& step : drive.steps) {
-    if ((step.T_map_base.translation() - here->T_map_base.translation()).norm() > 0.3) {
-      here = &step;
-    }
-    longest = std::max(longest, step.time - here->time);
-  }
-  return longest;
-}
+using test::twoRooms;
 
 bool isOccupiedWithin(const OccupancyGrid& map, const Cell& cell, int distance) {
   for (int y = cell.y - distance; y <= cell.y + distance; ++y) {
@@ -216,20 +158,6 @@ TEST(Drive, withNoiseDriftsByAFewPercent) {
   EXPECT_LT(std::sqrt(square), 0.08);
 }
 
-/// Two rooms of 3 m x 3 m with a door of 1 m, half a metre a drawn cell, in cells of 5 cm.
-OccupancyGrid twoRooms() {
-  return resample(asciiMap({"###############",  //
-                            "#......#......#",  //
-                            "#......#......#",  //
-                            "#.............#",  //
-                            "#.............#",  //
-                            "#......#......#",  //
-                            "#......#......#",  //
-                            "###############"},
-                           0.5),
-                  0.05);
-}
-
 TEST(Drive, visitsTheGivenWaypointsInTheirOrderAndEnds) {
   DriveOptions options = shortDrive(1);
   options.start = Rigid2{1.5, 1.5, 2.0};
@@ -263,153 +191,6 @@ TEST(Drive, chooseRandomWaypointsFarApart) {
     EXPECT_GE((waypoint - last).norm(), 20.0);
     last = waypoint;
   }
-}
-
-/// From the robot's rim to the nearest leg of the whole drive [m].
-double smallestGap(const Drive& drive, double robot_radius) {
-  double smallest = std::numeric_limits<double>::infinity();
-  for (const DriveStep& step : drive.steps) {
-    for (const Person& person : step.people) {
-      for (const Circle& leg : person.legs) {
-        const double distance = (leg.centre - step.T_map_base.translation()).norm();
-        smallest = std::min(smallest, distance - leg.radius - robot_radius);
-      }
-    }
-  }
-  return smallest;
-}
-
-class CrowdedDrives : public testing::TestWithParam<double> {};
-
-TEST_P(CrowdedDrives, touchNeitherWallsNorPeople) {
-  const OccupancyGrid map = building(3);
-  DriveOptions options = shortDrive(3);
-  options.duration = GetParam() < 1.0 ? 60.0 : 15.0;
-  options.pedestrians.density = GetParam();
-  const Drive drive = simulateDrive(map, options);
-  EXPECT_GT(smallestGap(drive, options.robot.radius), 0.099);
-  expectNoCollision(map, drive, options.robot.radius);
-  std::cout << GetParam() << " people per square metre: " << drive.steps.front().people.size() << " people, "
-            << distanceDriven(drive) << " m in " << options.duration << " s\n";
-  for (std::size_t i = 1; i < drive.steps.size(); ++i) {
-    const double change = drive.steps[i].velocity.linear - drive.steps[i - 1].velocity.linear;
-    ASSERT_LE(std::abs(change), options.robot.max_acceleration / options.rate + 1e-9);
-  }
-}
-
-INSTANTIATE_TEST_SUITE_P(Densities, CrowdedDrives, testing::Values(0.1, 0.3, 1.0, 3.0));
-
-TEST(Drive, waitsForSomebodyWhoBlocksTheWay) {
-  DriveOptions options = shortDrive(1);
-  options.start = Rigid2{1.5, 2.0, 0.0};
-  options.waypoints = {{6.0, 2.0}};
-  options.duration = 60.0;
-  options.pedestrians.people = 6;
-  const OccupancyGrid map = twoRooms();
-  const Drive alone = [&] {
-    DriveOptions without = options;
-    without.pedestrians.people = 0;
-    return simulateDrive(map, without);
-  }();
-  const Drive drive = simulateDrive(map, options);
-  EXPECT_GT(smallestGap(drive, options.robot.radius), 0.099);
-  EXPECT_EQ(drive.steps.front().people.size(), 6U);
-  EXPECT_GE(drive.steps.size(), alone.steps.size());
-}
-
-TEST(Drive, amongPeopleIsTheSameForTheSameSeed) {
-  const OccupancyGrid map = building(2);
-  DriveOptions options = shortDrive(5);
-  options.duration = 10.0;
-  options.pedestrians.density = 0.5;
-  const Drive one = simulateDrive(map, options);
-  const Drive other = simulateDrive(map, options);
-  ASSERT_EQ(one.steps.size(), other.steps.size());
-  for (std::size_t i = 0; i < one.steps.size(); ++i) {
-    EXPECT_EQ(one.steps[i].scans.front().ranges, other.steps[i].scans.front().ranges);
-    ASSERT_EQ(one.steps[i].people.size(), other.steps[i].people.size());
-    EXPECT_EQ(one.steps[i].people.back().position, other.steps[i].people.back().position);
-    const auto& detections = one.steps[i].detections.front()->detections;
-    ASSERT_EQ(detections.size(), other.steps[i].detections.front()->detections.size());
-    if (!detections.empty()) {
-      EXPECT_EQ(detections.front().score, other.steps[i].detections.front()->detections.front().score);
-    }
-  }
-}
-
-TEST(Drive, withoutPeopleHasNoDetections) {
-  DriveOptions options = shortDrive(5);
-  options.duration = 1.0;
-  const Drive drive = simulateDrive(building(2), options);
-  EXPECT_FALSE(drive.has_people);
-  EXPECT_TRUE(drive.steps.front().people.empty());
-  EXPECT_TRUE(drive.steps.front().detections.empty());
-}
-
-TEST(Drive, ofAPepperLooksBothWays) {
-  DriveOptions options = shortDrive(1);
-  equipAsPepper(options);
-  options.start = Rigid2{1.5, 2.0, 0.0};
-  options.duration = 1.0;
-  options.lidar.sigma = 0.0;
-  options.pedestrians.people = 2;
-  const Drive drive = simulateDrive(twoRooms(), options);
-  ASSERT_EQ(drive.T_base_lidar.size(), 2U);
-  EXPECT_EQ(drive.T_base_lidar[1].x, -0.245);
-  const DriveStep& first = drive.steps.front();
-  ASSERT_EQ(first.scans.size(), 2U);
-  EXPECT_EQ(first.detections.size(), 2U);
-  EXPECT_EQ(first.scans[1].ranges.size(), 811U);
-  EXPECT_NEAR(first.scans[1].ranges[405], 1.5 - 0.245 - 0.5, 1e-6);  // to the wall behind
-}
-
-/// The share of the free cells of the building that a scan passed, within 8 m.
-double seenShare(const OccupancyGrid& map, const Drive& drive) {
-  const OccupancyGrid coarse = resample(map, 0.1);
-  std::vector<bool> seen(coarse.values().size(), false);
-  for (const DriveStep& step : drive.steps) {
-    const Rigid2 T_map_lidar = step.T_map_base * drive.T_base_lidar.front();
-    for (std::size_t i = 0; i < step.scans.front().ranges.size(); ++i) {
-      const PlanarScan& scan = step.scans.front();
-      const double angle = scan.angle_min + static_cast<double>(i) * scan.angle_increment;
-      for (double r = 0.0; r < std::min<double>(scan.ranges[i], 8.0); r += 0.07) {
-        const Cell cell =
-            coarse.geometry().cellAt(T_map_lidar * Eigen::Vector2d(r * std::cos(angle), r * std::sin(angle)));
-        seen[static_cast<std::size_t>(cell.y * coarse.width() + cell.x)] = true;
-      }
-    }
-  }
-  double num_free = 0.0;
-  double num_seen = 0.0;
-  for (std::size_t i = 0; i < seen.size(); ++i) {
-    num_free += coarse.values()[i] == kFree ? 1.0 : 0.0;
-    num_seen += coarse.values()[i] == kFree && seen[i] ? 1.0 : 0.0;
-  }
-  return num_seen / num_free;
-}
-
-TEST(Drive, exploresTheWholeBuildingAndEnds) {
-  const OccupancyGrid map = building(1);
-  DriveOptions options = shortDrive(1);
-  options.duration = 2000.0;
-  options.rate = 5.0;
-  options.lidar.beams = 271;
-  options.explore = true;
-  const Drive drive = simulateDrive(map, options);
-  std::cout << "explored in " << drive.steps.back().time << " s and " << distanceDriven(drive) << " m\n";
-  EXPECT_LT(drive.steps.back().time, 1500.0);
-  EXPECT_GT(drive.steps.back().time, 200.0);
-  EXPECT_GT(seenShare(map, drive), 0.9);
-  EXPECT_LT(longestStay(drive), 15.0);
-  expectNoCollision(map, drive, options.robot.radius);
-}
-
-TEST(Drive, refusesWaypointsForARobotThatExplores) {
-  DriveOptions options = shortDrive(1);
-  options.explore = true;
-  options.waypoints = {{1.5, 1.5}};
-  const std::string text = thrownText<std::invalid_argument>([&] { simulateDrive(twoRooms(), options); });
-  EXPECT_NE(text.find("waypoints, expected none"), std::string::npos) << text;
 }
 
 TEST(Drive, refusesAWaypointThatCannotBeReached) {

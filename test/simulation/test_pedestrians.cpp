@@ -137,8 +137,8 @@ TEST(Pedestrians, walkAtAboutTheirSpeedWhereThereIsRoom) {
     }
   }
   const double mean_speed = walked / 40.0 / 30.0;
-  EXPECT_GT(mean_speed, 0.8);
-  EXPECT_LT(mean_speed, 1.3);
+  EXPECT_GT(mean_speed, 0.7);
+  EXPECT_LT(mean_speed, 1.1);
 }
 
 TEST(Pedestrians, haveTheirPositionBetweenTheirLegs) {

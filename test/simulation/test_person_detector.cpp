@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
 #include <stdexcept>
 #include <string>
 
@@ -33,11 +34,7 @@ struct Hall {
   }
 
   LidarView look(const std::vector<Person>& people) const {
-    std::vector<Circle> legs;
-    for (const Person& person : people) {
-      legs.insert(legs.end(), person.legs.begin(), person.legs.end());
-    }
-    return Lidar(lidar_options, RandomNumbers(1)).scanAmong(legs, World(map), T_map_lidar);
+    return Lidar(lidar_options, RandomNumbers(1)).scanAmong(legsOf(people), World(map), T_map_lidar);
   }
 
   PersonDetector detector() const { return PersonDetector(map, options, RandomNumbers(7)); }
@@ -183,11 +180,7 @@ Quality qualityOf(const DriveOptions& options) {
     const Rigid2 T_lidar_map = T_map_lidar.inverse();
     LidarOptions exact = options.lidar;
     exact.sigma = 0.0;
-    std::vector<Circle> legs;
-    for (const Person& person : step->people) {
-      legs.insert(legs.end(), person.legs.begin(), person.legs.end());
-    }
-    const LidarView view = Lidar(exact, RandomNumbers(1)).scanAmong(legs, world, step->T_map_base);
+    const LidarView view = Lidar(exact, RandomNumbers(1)).scanAmong(legsOf(step->people), world, step->T_map_base);
     std::vector<Eigen::Vector2d> in_sight;
     for (std::size_t i = 0; i < step->people.size(); ++i) {
       const Eigen::Vector2d position = T_lidar_map * step->people[i].position;
@@ -235,23 +228,25 @@ Quality qualityOf(const DriveOptions& options) {
   return quality;
 }
 
-class DetectorQuality : public testing::TestWithParam<std::uint64_t> {
+class DetectorQuality : public testing::TestWithParam<double> {
  protected:
   DriveOptions options() const {
     DriveOptions options;
-    options.seed = GetParam();
+    options.seed = 1;
     options.duration = 120.0;
-    options.pedestrians.density = 0.15;
+    options.pedestrians.density = GetParam();
     return options;
   }
 };
 
 TEST_P(DetectorQuality, isThatOfThePublishedFiguresByDefault) {
   const Quality quality = qualityOf(options());
+  std::cout << "recall " << quality.recall << ", precision " << quality.precision << ", scores "
+            << quality.mean_true_score << " and " << quality.mean_false_score << '\n';
   EXPECT_NEAR(quality.recall, 0.70, 0.04);
   EXPECT_NEAR(quality.precision, 0.75, 0.05);
   EXPECT_GT(quality.mean_true_score, quality.mean_false_score + 0.1);
-  EXPECT_GT(quality.mean_false_persistence, 0.7);
+  EXPECT_GT(quality.mean_false_persistence, 0.6);
 }
 
 TEST_P(DetectorQuality, isThatAskedFor) {
@@ -263,7 +258,18 @@ TEST_P(DetectorQuality, isThatAskedFor) {
   EXPECT_NEAR(quality.precision, 0.6, 0.06);
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, DetectorQuality, testing::Values(1U, 2U));
+INSTANTIATE_TEST_SUITE_P(Densities, DetectorQuality, testing::Values(0.05, 0.2));
+
+/// Some stand so close that their detections are one: as many as can be told apart are found, not as many as asked for.
+TEST(PersonDetector, missesMoreWherePeopleStandClose) {
+  DriveOptions options;
+  options.duration = 60.0;
+  options.pedestrians.density = 0.8;
+  const Quality quality = qualityOf(options);
+  EXPECT_GT(quality.recall, 0.5);
+  EXPECT_LT(quality.recall, 0.72);
+  EXPECT_GT(quality.precision, 0.7);
+}
 
 TEST(PersonDetector, namesEveryOptionOutOfItsRange) {
   Hall hall;

@@ -10,6 +10,7 @@
 
 #include "map_matcher/parameters/parameter.hpp"
 #include "map_matcher/simulation/circle.hpp"
+#include "map_matcher/simulation/errands.hpp"
 #include "map_matcher/simulation/gait.hpp"
 #include "map_matcher/simulation/path_planner.hpp"
 #include "map_matcher/simulation/place_index.hpp"
@@ -24,7 +25,7 @@ struct PedestrianOptions {
   int people = 0;               ///< How many; 0: as many as the density says.
   double density = 0.0;         ///< [1/m^2] People per area of free space that people can get to.
   double standing_share = 0.3;  ///< Share of them who stand in groups.
-  double speed = 1.2;           ///< [m/s] Mean speed of those who walk, where nobody is in the way.
+  double speed = 1.0;           ///< [m/s] Mean speed of those who walk, where nobody is in the way.
   double speed_sigma = 0.2;     ///< [m/s] Standard deviation of that speed from person to person.
   double body_radius = 0.18;    ///< [m] Nobody's centre is nearer to a wall, nor to another's than twice this.
   double leg_radius = 0.065;    ///< [m] Mean radius of a leg where the lidar sees it; people differ by 15 %.
@@ -39,6 +40,9 @@ struct Person {
   double heading = 0.0;        ///< [rad] In the map frame.
   std::array<Circle, 2> legs;  ///< Left and right, in the map frame.
 };
+
+/// The legs of people: left and right of the first, left and right of the second, and so on.
+std::vector<Circle> legsOf(const std::vector<Person>& people);
 
 /// The robot as people have to avoid it.
 struct RobotSweep {
@@ -60,8 +64,8 @@ class Pedestrians {
   Pedestrians(const World& world, const PedestrianOptions& options, const RandomNumbers& random,
               const std::optional<Circle>& kept_free);
 
-  /// Moves everybody on by `period` [s], at most 0.1 s. Nobody comes nearer than kDistanceToRobot to the sweep; who is
-  /// nearer already comes no nearer still.
+  /// Moves everybody on by `period` [s]; longer ones than 0.1 s are taken for that. Nobody comes nearer than
+  /// kDistanceToRobot to the sweep; who is nearer already comes no nearer still.
   void step(double period, const RobotSweep& robot);
 
   /// Everybody, always in the same order.
@@ -87,9 +91,7 @@ class Pedestrians {
   bool placeGroup(std::size_t size, const std::optional<Circle>& kept_free);
   bool place(const Eigen::Vector2d& position, double heading, bool stands, const std::optional<Circle>& kept_free);
   Eigen::Vector2d randomPlace();
-  std::size_t randomGoal(const Eigen::Vector2d& position);
   std::size_t goalWithAWayOut(std::size_t index);
-  const WayField& waysTo(std::size_t goal);
   Eigen::Vector2d wantedVelocity(std::size_t index, double period, const RobotSweep& robot);
   Eigen::Vector2d walk(std::size_t index, double period, const RobotSweep& robot);
   Eigen::Vector2d stand(std::size_t index, double period, const RobotSweep& robot);
@@ -103,8 +105,7 @@ class Pedestrians {
   PedestrianOptions options_;
   RandomNumbers random_;
   PathPlanner planner_;
-  std::vector<Eigen::Vector2d> goals_;
-  std::vector<std::optional<WayField>> ways_;  // to the goals; planned when somebody goes there
+  std::optional<Errands> errands_;  // none where nobody is
   std::vector<Walker> walkers_;
   PlaceIndex index_;
   std::size_t num_steps_ = 0;

@@ -59,7 +59,7 @@ class PersonDetector {
   PersonDetector(const OccupancyGrid& map, const PersonDetectorOptions& options, const RandomNumbers& random);
 
   /// Detections in a scan at `time` [s]; std::nullopt when the detector is busy with an earlier one. `people` are
-  /// always the same, in the same order; `view` is of their legs: two circles each, in this order. Times rise.
+  /// always the same, in the same order; `view` is of their legsOf(). Times rise.
   std::optional<DetectedPeople> detect(const LidarView& view, const std::vector<Person>& people,
                                        const Rigid2& T_map_lidar, double time);
 
