@@ -176,7 +176,8 @@ class Certification {
     if (best) {
       result_.replaced = !start || elsewhere(*start, *best);
       place(*best);
-      result_.margin = outcome.best_proven ? ratio(best->count - outcome.runner_up_bound) : 0.0;
+      result_.margin =
+          outcome.best && outcome.best_proven ? ratio(std::max(0, best->count - outcome.runner_up_bound)) : 0.0;
     }
     if (outcome.runner_up) {
       result_.runner_up = RunnerUp{mapPose(*outcome.runner_up), ratio(outcome.runner_up->count)};

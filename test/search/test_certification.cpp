@@ -141,6 +141,7 @@ TEST(Certification, AStrangerIsProvenToFitNowhere) {
   EXPECT_EQ(result.status, MatchStatus::kBelowAcceptanceRatio) << result.reason;
   EXPECT_TRUE(result.certified);
   EXPECT_FALSE(result.runner_up);
+  EXPECT_EQ(result.margin, 0.0);
   EXPECT_LT(result.upper_bound, MatchOptions{}.min_hit_ratio);
 }
 

@@ -332,6 +332,9 @@ TEST(MapMatcher, RejectsEveryOptionOutOfRangeByNameValueAndRange) {
   options.coarse.acceptance_ratio = 1.5;
   options.hits_sample_threshold = -3;
   options.coarse_resolution = std::nan("");
+  options.hit_tolerance = std::nan("");
+  options.threads = -1;
+  options.search = "magic";
 
   try {
     MapMatcher matcher(options);
@@ -341,6 +344,9 @@ TEST(MapMatcher, RejectsEveryOptionOutOfRangeByNameValueAndRange) {
     EXPECT_NE(text.find("acceptance_ratio is 1.5, expected 0 to 1"), std::string::npos) << text;
     EXPECT_NE(text.find("hits_sample_threshold is -3"), std::string::npos) << text;
     EXPECT_NE(text.find("coarse_resolution is nan"), std::string::npos) << text;
+    EXPECT_NE(text.find("hit_tolerance is nan"), std::string::npos) << text;
+    EXPECT_NE(text.find("threads is -1"), std::string::npos) << text;
+    EXPECT_NE(text.find("two_stage | exact"), std::string::npos) << text;
   }
 }
 

@@ -87,7 +87,7 @@ TEST_F(MatchMaps, SearchesInTwoStagesAloneWhenAskedTo) {
 }
 
 TEST_F(MatchMaps, ShowsTheRunnerUpWhenItIsNearlyAsGood) {
-  std::ofstream(file("config.yaml")) << "min_margin: 0.9\n";
+  std::ofstream(file("config.yaml")) << "min_margin: 0.8\nexact_deadline: 60.0\n";
 
   const Run match = run(maps() + " --config '" + file("config.yaml") + "' --search exact --json -");
 

@@ -66,11 +66,13 @@ struct MatchResult {
   int total_cells = 0;    ///< Session cells looked at [cells].
   double ratio = 0.0;     ///< matched_cells / total_cells.
 
-  bool certified = false;  ///< Whether it is proven that no pose has more hits; false without exact search.
-  bool replaced = false;   ///< Whether the exact search found a better place than the two stages.
-  int hit_cells = 0;  ///< Session cells within hit_tolerance of a wall at the pose [cells]; 0 without exact search.
+  /// Whether it is proven that no pose has more hits; when kBelowAcceptanceRatio, that none has enough of them. False
+  /// without exact search.
+  bool certified = false;
+  bool replaced = false;  ///< Whether the exact search found a better place than the two stages.
+  int hit_cells = 0;      ///< Session cells within hit_tolerance of a wall at the pose [cells]; 0 without exact search.
   double hit_ratio = 0.0;             ///< hit_cells / total_cells, which the exact search makes as large as can be.
-  double upper_bound = 1.0;           ///< No pose has a larger hit ratio; equal to hit_ratio when certified.
+  double upper_bound = 1.0;           ///< No pose has a larger hit ratio; equal to hit_ratio when kMatched.
   std::optional<RunnerUp> runner_up;  ///< The best place elsewhere, unless it is worse by more than min_margin.
   double margin = 0.0;                ///< hit_ratio less that of the runner-up; without one, margin is at least this.
 
