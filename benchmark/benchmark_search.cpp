@@ -65,8 +65,7 @@ OccupancyGrid simulateSession(const OccupancyGrid& map, const SimulatedSession& 
   for (const DriveStep& step : drive.steps) {
     length += (step.T_map_base.translation() - last).norm();
     last = step.T_map_base.translation();
-    const ScanReport report =
-        mapper.addScan(step.T_odom_base, step.scans.front(), {drive.T_base_lidar.front(), false});
+    const ScanReport report = mapper.addScan(step.T_odom_base, step.scans.front(), {drive.T_base_lidar.front(), false});
     const bool drawn = report.outcome == ScanOutcome::kDrawn;
     if (length > wanted.length || (drawn && occupiedCells(*mapper.map()).size() >= wanted.num_cells)) {
       break;
