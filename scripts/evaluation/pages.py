@@ -89,7 +89,8 @@ def plot_times(rows, path):
         axes[0][column].set_xlabel("time [s]")
         shares = [[part / max(1e-12, sum(step[k] for step in parts)) for k, part in enumerate(row)] for row in parts]
         axes[1][column].boxplot([share or [0.0] for share in shares])
-        axes[1][column].set_xticks([1, 2, 3], ["initialization", "rotations", "depth first"])
+        axes[1][column].set_xticks([1, 2, 3])
+        axes[1][column].set_xticklabels(["initialization", "rotations", "depth first"])
         axes[1][column].set_ylabel("share of the time")
     axes[0][0].legend(loc="upper left", fontsize=8)
     save(figure, path)
