@@ -65,6 +65,12 @@ nlohmann::ordered_json toJson(const MatchResult& result) {
   json["hit_ratio"] = result.hit_ratio;
   json["hit_cells"] = result.hit_cells;
   json["upper_bound"] = result.upper_bound;
+  json["candidate"] = nullptr;
+  if (result.matched() || result.hit_cells > 0) {
+    const Rigid2& T = result.T_reference_session;
+    const double ratio = result.hit_cells > 0 ? result.hit_ratio : result.ratio;
+    json["candidate"] = {{"x", T.x}, {"y", T.y}, {"yaw", T.yaw}, {"ratio", ratio}};
+  }
   json["runner_up"] = nullptr;
   if (result.runner_up) {
     const Rigid2& T = result.runner_up->T_reference_session;

@@ -94,9 +94,12 @@ TEST_F(MatchMaps, ShowsTheRunnerUpWhenItIsNearlyAsGood) {
   EXPECT_EQ(match.status, 1) << match.errors;
   const auto json = nlohmann::json::parse(match.output);
   EXPECT_EQ(json.at("status"), "ambiguous");
+  EXPECT_TRUE(json.at("transform").is_null());
+  EXPECT_EQ(json.at("candidate").at("ratio"), json.at("hit_ratio"));
   EXPECT_NEAR(json.at("runner_up").at("ratio").get<double>(),
               json.at("hit_ratio").get<double>() - json.at("margin").get<double>(), 1e-9);
   for (const char* key : {"x", "y", "yaw"}) {
+    EXPECT_TRUE(json.at("candidate").at(key).is_number()) << key;
     EXPECT_TRUE(json.at("runner_up").at(key).is_number()) << key;
   }
 }
