@@ -47,11 +47,12 @@ std::optional<std::vector<std::string>> listOfTexts(XmlRpcValue& value) {
     return std::nullopt;
   }
   std::vector<std::string> texts;
-  for (int i = 0; i < value.size(); ++i) {
-    if (value[i].getType() != XmlRpcValue::TypeString) {
+  for (int i = 0; i < value.size(); ++i) {  // NOLINT(modernize-loop-convert): a list has no begin and end
+    XmlRpcValue& item = value[i];
+    if (item.getType() != XmlRpcValue::TypeString) {
       return std::nullopt;
     }
-    texts.push_back(static_cast<std::string&>(value[i]));
+    texts.push_back(static_cast<std::string&>(item));
   }
   return texts;
 }

@@ -82,7 +82,8 @@ void ScanScrubber::markInside(const Disc& disc) {
 
 void ScanScrubber::markRange(const Disc& disc, double first_beam, double last_beam) {
   const auto begin = static_cast<std::size_t>(std::max(0.0, std::ceil(first_beam)));
-  const auto end = static_cast<std::size_t>(std::clamp(std::floor(last_beam) + 1.0, 0.0, double(inside_.size())));
+  const auto end =
+      static_cast<std::size_t>(std::clamp(std::floor(last_beam) + 1.0, 0.0, static_cast<double>(inside_.size())));
   const double squared_radius = disc.radius * disc.radius;
   for (std::size_t i = begin; i < end; ++i) {
     const double dx = x_[i] - disc.centre.x();

@@ -55,10 +55,10 @@ void Gait::startStep(const Eigen::Vector2d& centre, double heading, const Eigen:
     next_foot_ = 1 - *swing_foot_;
     swing_foot_.reset();
   }
-  const auto offPlace = [&](std::size_t foot) { return (feet_[foot] - besideBody(foot, centre, heading)).norm(); };
-  if (velocity.norm() < kStandstill && offPlace(next_foot_) <= kClosed) {
+  const auto off_place = [&](std::size_t foot) { return (feet_[foot] - besideBody(foot, centre, heading)).norm(); };
+  if (velocity.norm() < kStandstill && off_place(next_foot_) <= kClosed) {
     next_foot_ = 1 - next_foot_;
-    if (offPlace(next_foot_) <= kClosed) {
+    if (off_place(next_foot_) <= kClosed) {
       return;
     }
   }

@@ -65,7 +65,8 @@ Eigen::Vector2d steer(const World& world, const Mover& self, const Eigen::Vector
   Eigen::Vector2d best = Eigen::Vector2d::Zero();
   // Straight on, then right, left, farther right, farther left.
   for (int i = 0; i <= 2 * kTurns; ++i) {
-    const double turn = kTurn * ((i + 1) / 2) * (i % 2 == 0 ? 1.0 : -1.0);
+    const int steps = (i + 1) / 2;  // 0, 1, 1, 2, 2, ...
+    const double turn = kTurn * steps * (i % 2 == 0 ? 1.0 : -1.0);
     const Eigen::Vector2d heading(std::cos(straight + turn), std::sin(straight + turn));
     double free = freeOfWalls(world, self, heading, view);
     for (const Mover& other : others) {
