@@ -139,12 +139,12 @@ void scoreTile(benchmark::State& state) {
     cells.y.push_back(static_cast<std::int16_t>(static_cast<int>(random() % 150) - 75));
   }
   const ScoreKernel kernel(variant);
-  TileCounts counts;
+  std::vector<TileScore> scores;
   for (auto _ : state) {
-    kernel.scoreTile(TileShape::kWide, grids.level(static_cast<int>(state.range(1))), cells, {100, 60}, 0, counts);
-    benchmark::DoNotOptimize(counts.data());
+    kernel.scoreTile(grids.level(static_cast<int>(state.range(1))), cells, {100, 60}, {}, 900, scores);
+    benchmark::DoNotOptimize(scores.data());
   }
-  state.SetItemsProcessed(state.iterations() * 1000 * tileColumns(TileShape::kWide) * tileRows(TileShape::kWide));
+  state.SetItemsProcessed(state.iterations() * 1000 * kTileColumns * kTileRows);
 }
 BENCHMARK(scoreTile)->Name("BM_ScoreTile")->ArgsProduct({{0, 1, 2}, {0, 2, 4}})->ArgNames({"variant", "level"});
 

@@ -1,28 +1,45 @@
 #include "block_search.hpp"
 
 #include <algorithm>
-#include <array>
 #include <tuple>
 
 namespace map_matcher {
+namespace {
+
+/// Levels that one expansion goes down, at most 4, so that the children fit into a tile.
+constexpr int kLevelsAtOnce = 1;
+
+/// The window with its first translation on the grain of a level.
+SearchWindow onGrain(const SearchWindow& window, const BlockShape& shape) {
+  const int mask = ~(shape.grain() - 1);
+  return {{window.first.x & mask, window.first.y & mask}, window.last};
+}
+
+}  // namespace
 
 /// Scores the initial nodes of a block and keeps those that reach `min_count`, the best first. False when the
 /// deadline passed before that.
 bool BlockSearch::scoreRoots(RotationBlock& block, std::int32_t min_count) {
   block.roots.clear();
   const BlockShape shape{root_level_};
-  const WeightedCells cells = problem_.rotations.cells(shape, block.first_rotation, merger_);
-  const SearchWindow window =
-      intersection(windowOf(block.first_rotation, shape), reachableWindow(problem_.reference, shape, cells, min_count));
-  const TileShape tile = (window.last.x - window.first.x) / shape.stride() < tileColumns(TileShape::kNarrow)
-                             ? TileShape::kNarrow
-                             : TileShape::kWide;
-  for (int y = window.first.y; y <= window.last.y; y += shape.stride() * tileRows(tile)) {
-    for (int x = window.first.x; x <= window.last.x; x += shape.stride() * tileColumns(tile)) {
+  const WeightedCells cells = problem_.rotations.cells(shape, block.first_rotation);
+  const SearchWindow window = onGrain(
+      intersection(windowOf(block.first_rotation, shape), reachableWindow(problem_.reference, shape, cells, min_count)),
+      shape);
+  const PooledLevel& level = problem_.reference.level(root_level_);
+  const int stride = shape.stride();
+  for (int y = window.first.y; y <= window.last.y; y += stride * kTileRows) {
+    for (int x = window.first.x; x <= window.last.x; x += stride * kTileColumns) {
       if (settings_.deadline.passed()) {
         return false;
       }
-      scoreTile(tile, cells, {x, y}, window.last, min_count, block.roots);
+      const TileSize size = tileWithin(window.last, {x, y}, stride);
+      nodes_scored_ += static_cast<std::int64_t>(size.columns) * size.rows;
+      settings_.kernel.scoreTile(level, cells, problem_.reference.position(root_level_, {x, y}), size, min_count,
+                                 scores_);
+      for (const TileScore& score : scores_) {
+        block.roots.push_back({score.count, {x + score.column * stride, y + score.row * stride}});
+      }
     }
   }
   std::sort(block.roots.begin(), block.roots.end(), [](const RootNode& a, const RootNode& b) {
@@ -63,27 +80,6 @@ SearchWindow BlockSearch::windowOf(int first_rotation, const BlockShape& shape) 
   return hull;
 }
 
-void BlockSearch::scoreTile(TileShape tile, const WeightedCells& cells, const Cell& first, const Cell& last,
-                            std::int32_t min_count, std::vector<RootNode>& roots) {
-  const PooledLevel& level = problem_.reference.level(root_level_);
-  const int shift = problem_.reference.shift(root_level_);
-  const int stride = level.stride();
-  const int columns = std::min(tileColumns(tile), (last.x - first.x) / stride + 1);
-  const int rows = std::min(tileRows(tile), (last.y - first.y) / stride + 1);
-  nodes_scored_ += static_cast<std::int64_t>(columns) * rows;
-  if (!settings_.kernel.scoreTile(tile, level, cells, {first.x + shift, first.y + shift}, min_count, tile_)) {
-    return;
-  }
-  for (int row = 0; row < rows; ++row) {
-    for (int column = 0; column < columns; ++column) {
-      const std::int32_t count = tile_[static_cast<std::size_t>(row * tileColumns(tile) + column)];
-      if (count >= min_count) {
-        roots.push_back({count, {first.x + column * stride, first.y + row * stride}});
-      }
-    }
-  }
-}
-
 /// Depth first, the best child first. False when the deadline passed.
 bool BlockSearch::searchBelow(const ExactNode& root, Quarry& quarry) {
   nodes_.assign(1, root);
@@ -105,17 +101,14 @@ bool BlockSearch::searchBelow(const ExactNode& root, Quarry& quarry) {
   return true;
 }
 
-/// Adds the children that reach `min_count` to the nodes, the best last: both halves of the rotations, four quarters
-/// of the translations.
+/// Adds the nodes kLevelsAtOnce levels below that reach `min_count`, the best last.
 void BlockSearch::expand(const ExactNode& node, std::int32_t min_count) {
   ++nodes_expanded_;
-  const BlockShape shape{node.level - 1};
+  const BlockShape shape{std::max(0, node.level - kLevelsAtOnce)};
+  const int end = std::min(problem_.rotations.count(), node.rotation + (1 << node.level));
   const auto first_child = static_cast<std::ptrdiff_t>(nodes_.size());
-  for (int half = 0; half < 2; ++half) {
-    const int rotation = node.rotation + half * shape.stride();
-    if (rotation < problem_.rotations.count()) {
-      addChildren({0, rotation, node.first, shape.level}, min_count);
-    }
+  for (int rotation = node.rotation; rotation < end; rotation += shape.stride()) {
+    addChildren(node, shape, rotation, min_count);
   }
   std::sort(nodes_.begin() + first_child, nodes_.end(), [](const ExactNode& a, const ExactNode& b) {
     return std::make_tuple(-a.bound, a.rotation, a.first.y, a.first.x) >
@@ -123,25 +116,20 @@ void BlockSearch::expand(const ExactNode& node, std::int32_t min_count) {
   });
 }
 
-/// Adds the child `lower_left` and those one stride beside it that reach `min_count`.
-void BlockSearch::addChildren(const ExactNode& lower_left, std::int32_t min_count) {
-  nodes_scored_ += 4;
-  const BlockShape shape{lower_left.level};
-  const int shift = problem_.reference.shift(lower_left.level);
-  const Cell& first = lower_left.first;
-  std::array<std::int32_t, 4> counts;
-  if (!settings_.kernel.scoreChildren(problem_.reference.level(lower_left.level), cellsOf(shape, lower_left.rotation),
-                                      {first.x + shift, first.y + shift}, min_count, counts)) {
-    return;
-  }
-  const SearchWindow window = windowOf(lower_left.rotation, shape);
-  for (int k = 0; k < 4; ++k) {
-    const Cell child{first.x + (k & 1) * shape.stride(), first.y + (k >> 1) * shape.stride()};
-    const std::int32_t count = counts[static_cast<std::size_t>(k)];
+/// Adds those of the node's children under a rotation that reach `min_count`.
+void BlockSearch::addChildren(const ExactNode& node, const BlockShape& shape, int rotation, std::int32_t min_count) {
+  const int children = 1 << (node.level - shape.level);  // along an axis
+  nodes_scored_ += children * children;
+  settings_.kernel.scoreTile(problem_.reference.level(shape.level), cellsOf(shape, rotation),
+                             problem_.reference.position(shape.level, node.first), {children, children}, min_count,
+                             scores_);
+  const SearchWindow window = windowOf(rotation, shape);
+  for (const TileScore& score : scores_) {
+    const Cell child{node.first.x + score.column * shape.stride(), node.first.y + score.row * shape.stride()};
     const bool inside = child.x <= window.last.x && child.y <= window.last.y &&
                         child.x + shape.stride() > window.first.x && child.y + shape.stride() > window.first.y;
-    if (count >= min_count && inside) {
-      nodes_.push_back({count, lower_left.rotation, child, shape.level});
+    if (inside) {
+      nodes_.push_back({score.count, rotation, child, shape.level});
     }
   }
 }
@@ -152,7 +140,7 @@ const WeightedCells& BlockSearch::cellsOf(const BlockShape& shape, int rotation)
   const int index = blocks_above + ((rotation - first_rotation_) >> shape.level);
   std::optional<WeightedCells>& cells = block_cells_[static_cast<std::size_t>(index)];
   if (!cells) {
-    cells = problem_.rotations.cells(shape, rotation, merger_);
+    cells = problem_.rotations.cells(shape, rotation);
   }
   return *cells;
 }

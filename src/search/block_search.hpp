@@ -46,18 +46,15 @@ class BlockSearch {
 
  private:
   SearchWindow windowOf(int first_rotation, const BlockShape& shape) const;
-  void scoreTile(TileShape tile, const WeightedCells& cells, const Cell& first, const Cell& last,
-                 std::int32_t min_count, std::vector<RootNode>& roots);
   bool searchBelow(const ExactNode& root, Quarry& quarry);
   void expand(const ExactNode& node, std::int32_t min_count);
-  void addChildren(const ExactNode& lower_left, std::int32_t min_count);
+  void addChildren(const ExactNode& node, const BlockShape& shape, int rotation, std::int32_t min_count);
   const WeightedCells& cellsOf(const BlockShape& shape, int rotation);
 
   const ExactProblem& problem_;
   const ExactSettings& settings_;
   int root_level_;
-  CellMerger merger_;
-  TileCounts tile_;
+  std::vector<TileScore> scores_;  // of the last tile
   int first_rotation_ = 0;
   std::vector<std::optional<WeightedCells>> block_cells_;
   std::vector<ExactNode> nodes_;

@@ -25,6 +25,15 @@ bool searchedAfter(const Node& a, const Node& b) {
          std::make_tuple(-b.rank, b.count, -b.rotation, -b.first.y, -b.first.x);
 }
 
+/// Levels that one expansion goes down: counting the 16 children of two levels takes as long as the 4 of one.
+constexpr int kLevelsAtOnce = 2;
+
+/// Levels above the initial nodes at which empty parts of a map are passed over.
+constexpr int kSieveLevels = 2;
+
+/// Tiles of a window that are scored without a look at what lies above them.
+constexpr std::int64_t kFewTiles = 24;
+
 class DepthFirstSearch {
  public:
   DepthFirstSearch(const SearchProblem& problem, const StopToken& stop)
@@ -75,40 +84,73 @@ class DepthFirstSearch {
 
   void scoreRotation(std::int32_t rotation) {
     const auto n = static_cast<std::size_t>(rotation);
-    const SearchWindow window =
-        intersection(problem_.windows[n], reachableWindow(problem_.reference, problem_.rotations[n], threshold_));
+    const int stride = 1 << problem_.root_level;
+    SearchWindow window = problem_.windows[n];
+    if (window.last.x - window.first.x > 2 * stride * kTileColumns) {  // else counting takes no longer than a look
+      window = intersection(window, reachableWindow(problem_.reference, problem_.rotations[n], threshold_));
+    }
     if (window.empty()) {
       return;
     }
+    const int sieve = std::min(problem_.root_level + kSieveLevels, problem_.reference.topLevel());
+    if (sieve > problem_.root_level && numTiles(window, stride) > kFewTiles) {
+      scoreWhereAnythingIs(rotation, window, sieve);
+    } else {
+      scoreWindow(rotation, window);
+    }
+  }
+
+  /// Tiles of nodes with a stride that a window takes.
+  static std::int64_t numTiles(const SearchWindow& window, int stride) {
+    const std::int64_t columns = (window.last.x - window.first.x) / (stride * kTileColumns) + 1;
+    const std::int64_t rows = (window.last.y - window.first.y) / (stride * kTileRows) + 1;
+    return columns * rows;
+  }
+
+  /// Adds the initial nodes of a window that reach the threshold to the list.
+  void scoreWindow(std::int32_t rotation, const SearchWindow& window) {
     const int stride = 1 << problem_.root_level;
-    const bool narrow = (window.last.x - window.first.x) / stride < tileColumns(TileShape::kNarrow);
-    const TileShape shape = narrow ? TileShape::kNarrow : TileShape::kWide;
-    for (int y = window.first.y; y <= window.last.y; y += stride * tileRows(shape)) {
-      for (int x = window.first.x; x <= window.last.x && !checkStop(); x += stride * tileColumns(shape)) {
-        scoreTile(shape, rotation, {x, y}, window.last);
+    for (int y = window.first.y; y <= window.last.y; y += stride * kTileRows) {
+      for (int x = window.first.x; x <= window.last.x && !checkStop(); x += stride * kTileColumns) {
+        scoreTile(problem_.root_level, rotation, {x, y}, tileWithin(window.last, {x, y}, stride));
+        for (const TileScore& score : scores_) {
+          const Cell translation{x + score.column * stride, y + score.row * stride};
+          initial_nodes_.push_back({score.count, rank(rotation), rotation, translation, problem_.root_level});
+        }
       }
     }
   }
 
-  void scoreTile(TileShape shape, std::int32_t rotation, const Cell& first, const Cell& last) {
-    const PooledLevel& level = problem_.reference.level(problem_.root_level);
-    const RotatedCells& cells = problem_.rotations[static_cast<std::size_t>(rotation)];
-    const int stride = level.stride();
-    const int columns = std::min(tileColumns(shape), (last.x - first.x) / stride + 1);
-    const int rows = std::min(tileRows(shape), (last.y - first.y) / stride + 1);
-    outcome_.nodes_scored += static_cast<std::int64_t>(columns) * rows;
-    if (!kernel_.scoreTile(shape, level, cells, first, threshold_, tile_)) {
-      return;
-    }
-    for (int row = 0; row < rows; ++row) {
-      for (int column = 0; column < columns; ++column) {
-        const std::int32_t count = tile_[static_cast<std::size_t>(row * tileColumns(shape) + column)];
-        if (count >= threshold_) {
-          const Cell translation{first.x + column * stride, first.y + row * stride};
-          initial_nodes_.push_back({count, rank(rotation), rotation, translation, problem_.root_level});
+  /// The same, but looks only at tiles that hold a node of the level `sieve` which reaches the threshold: most of a
+  /// large map is empty.
+  void scoreWhereAnythingIs(std::int32_t rotation, const SearchWindow& window, int sieve) {
+    const int stride = 1 << sieve;
+    const int finer = 1 << (sieve - problem_.root_level);
+    const Cell tile{kTileColumns * stride / finer, kTileRows * stride / finer};  // of initial nodes
+    for (int y = window.first.y; y <= window.last.y; y += stride * kTileRows) {
+      for (int x = window.first.x; x <= window.last.x && !checkStop(); x += stride * kTileColumns) {
+        scoreTile(sieve, rotation, {x, y}, tileWithin(window.last, {x, y}, stride));
+        std::array<bool, 1 << (2 * kSieveLevels)> anything{};
+        for (const TileScore& score : scores_) {
+          const int column = score.column * finer / kTileColumns;
+          const int row = score.row * finer / kTileRows;
+          anything[static_cast<std::size_t>(row * finer + column)] = true;
+        }
+        for (int k = 0; k < finer * finer; ++k) {
+          if (anything[static_cast<std::size_t>(k)]) {
+            const Cell first{x + k % finer * tile.x, y + k / finer * tile.y};
+            scoreWindow(rotation, intersection({first, {first.x + tile.x - 1, first.y + tile.y - 1}}, window));
+          }
         }
       }
     }
+  }
+
+  /// Scores a tile of nodes of a level.
+  void scoreTile(int level, std::int32_t rotation, const Cell& first, const TileSize& size) {
+    outcome_.nodes_scored += static_cast<std::int64_t>(size.columns) * size.rows;
+    const RotatedCells& cells = problem_.rotations[static_cast<std::size_t>(rotation)];
+    kernel_.scoreTile(problem_.reference.level(level), cells, first, size, threshold_, scores_);
   }
 
   void dropHopelessNodes() {
@@ -145,24 +187,19 @@ class DepthFirstSearch {
     threshold_ = leaf.count + 1;  // only better ones from here on
   }
 
-  // Lines 20 to 25. The best child is searched first, hence pushed last.
+  // Lines 20 to 25, kLevelsAtOnce levels at once. The best child is searched first, hence pushed last.
   void expand(const Node& node) {
     ++outcome_.nodes_expanded;
-    outcome_.nodes_scored += 4;
-    const PooledLevel& level = problem_.reference.level(node.level - 1);
-    const RotatedCells& cells = problem_.rotations[static_cast<std::size_t>(node.rotation)];
-    std::array<std::int32_t, 4> counts;
-    if (!kernel_.scoreChildren(level, cells, node.first, threshold_, counts)) {
-      return;
-    }
-    const Cell& last = problem_.windows[static_cast<std::size_t>(node.rotation)].last;
+    const int level = std::max(0, node.level - kLevelsAtOnce);
+    const int stride = 1 << level;
+    const int children = 1 << (node.level - level);  // along an axis
+    TileSize size = tileWithin(problem_.windows[static_cast<std::size_t>(node.rotation)].last, node.first, stride);
+    size = {std::min(size.columns, children), std::min(size.rows, children)};
+    scoreTile(level, node.rotation, node.first, size);
     const auto first_child = static_cast<std::ptrdiff_t>(nodes_.size());
-    for (int k = 0; k < 4; ++k) {
-      const Cell first{node.first.x + (k & 1) * level.stride(), node.first.y + (k >> 1) * level.stride()};
-      const std::int32_t count = counts[static_cast<std::size_t>(k)];
-      if (count >= threshold_ && first.x <= last.x && first.y <= last.y) {
-        nodes_.push_back({count, node.rank, node.rotation, first, node.level - 1});
-      }
+    for (const TileScore& score : scores_) {
+      const Cell first{node.first.x + score.column * stride, node.first.y + score.row * stride};
+      nodes_.push_back({score.count, node.rank, node.rotation, first, level});
     }
     std::sort(nodes_.begin() + first_child, nodes_.end(), searchedAfter);
   }
@@ -174,7 +211,7 @@ class DepthFirstSearch {
   std::vector<Node> initial_nodes_;
   std::vector<Node> nodes_;
   ScoreKernel kernel_;
-  TileCounts tile_;
+  std::vector<TileScore> scores_;  // of the last tile
   std::int32_t best_initial_count_ = 0;
 };
 

@@ -9,6 +9,7 @@
 #include "map_matcher/search/acceptance.hpp"
 #include "map_matcher/search/exact_search.hpp"
 #include "map_matcher/search/pose_refiner.hpp"
+#include "map_matcher/search/search_frames.hpp"
 #include "map_matcher/search/stopwatch.hpp"
 
 namespace map_matcher {
@@ -43,11 +44,10 @@ class Certification {
         prior_(prior),
         deadline_(options.exact_deadline, stop),
         frames_(reference.T_reference_grid(), session.T_session_grid),
-        cells_(prepareSessionCells(session.cells, session.resolution, reference.resolution(), CellMerging::kNone,
-                                   options.hits_sample_threshold)),
+        cells_(session.fine),
         step_(rotationStep(1.0, cells_.diagonal)),
         range_(allowedRotations()),
-        rotations_(cells_, range_.first * step_, step_, range_.count),
+        rotations_(cells_, range_.first * step_, step_, range_.count, reference.exact().topLevel()),
         problem_{reference.exact(), rotations_} {
     const int n = rotations_.numCells();
     problem_.windows = priorWindows();
@@ -124,11 +124,9 @@ class Certification {
 
   /// The best allowed pose around one; its count is 0 when none is allowed.
   SearchPose bestAround(const SearchPose& middle) const {
-    constexpr TileShape kTile = TileShape::kNarrow;
-    const int shift = reference_.exact().shift(0);
-    const Cell first{middle.translation.x - tileColumns(kTile) / 2, middle.translation.y - tileRows(kTile) / 2};
+    const Cell first{middle.translation.x - kTileColumns / 2, middle.translation.y - kTileRows / 2};
     const ScoreKernel kernel;
-    TileCounts counts;
+    std::vector<TileScore> scores;
     SearchPose best;
     for (int turn = -kClimbedRotations; turn <= kClimbedRotations; ++turn) {
       const int n = middle.rotation + turn;
@@ -136,15 +134,16 @@ class Certification {
         continue;
       }
       const RotatedCells rotated = rotate(cells_, rotations_.angle(n));
-      kernel.scoreTile(kTile, reference_.exact().level(0), rotated, {first.x + shift, first.y + shift}, 0, counts);
+      kernel.scoreTile(reference_.exact().level(0), rotated, reference_.exact().position(0, first), {}, best.count + 1,
+                       scores);
       const SearchWindow window =
           problem_.windows.empty() ? everywhere() : problem_.windows[static_cast<std::size_t>(n)];
-      for (int k = 0; k < tileColumns(kTile) * tileRows(kTile); ++k) {
-        const Cell t{first.x + k % tileColumns(kTile), first.y + k / tileColumns(kTile)};
+      for (const TileScore& score : scores) {
+        const Cell t{first.x + score.column, first.y + score.row};
         const bool allowed =
             t.x >= window.first.x && t.x <= window.last.x && t.y >= window.first.y && t.y <= window.last.y;
-        if (allowed && counts[static_cast<std::size_t>(k)] > best.count) {
-          best = {n, t, counts[static_cast<std::size_t>(k)]};
+        if (allowed && score.count > best.count) {
+          best = {n, t, score.count};
         }
       }
     }
@@ -220,7 +219,7 @@ class Certification {
   /// Moves the answer from whole cells to where the session lies best (the maps' walls as they are, not the wider
   /// hits).
   void refinePose(const SearchPose& pose) {
-    const RefinedPose refined = refine(reference_.fine(), cells_, centrePose(pose), options_.hit_tolerance);
+    const RefinedPose refined = refine(reference_.walls(), cells_, centrePose(pose), options_.hit_tolerance);
     result_.T_reference_session = frames_.mapPose(refined.pose, cells_.centre);
     result_.covariance = frames_.mapCovariance(refined.covariance, refined.pose.angle, cells_.centre);
     countMatches(refined.pose);
@@ -247,7 +246,7 @@ class Certification {
   const MatchPrior& prior_;
   Deadline deadline_;
   SearchFrames frames_;
-  SessionCells cells_;
+  const SessionCells& cells_;
   double step_;
   RotationRange range_;
   RotationBlocks rotations_;

@@ -22,18 +22,16 @@ class SquaredDistances {
         along_rows_(width_ * static_cast<std::size_t>(height)),
         nearest_(width_) {}
 
-  /// Takes the walls of a row.
-  void setRow(int y, const std::uint8_t* walls) {
-    std::uint16_t* squares = &along_rows_[static_cast<std::size_t>(y) * width_];
-    int distance = farthest_;
-    for (std::size_t x = 0; x < width_; ++x) {
-      distance = walls[x] != 0 ? 0 : std::min(distance + 1, farthest_);
-      squares[x] = static_cast<std::uint16_t>(distance);
-    }
-    distance = farthest_;
-    for (std::size_t x = width_; x-- > 0;) {
-      distance = std::min<int>(distance + 1, squares[x]);
-      squares[x] = static_cast<std::uint16_t>(distance * distance);
+  /// Takes the columns of the walls in a row.
+  void setRow(int y, const std::vector<int>& walls) {
+    const auto row = along_rows_.begin() + static_cast<std::ptrdiff_t>(y) * static_cast<std::ptrdiff_t>(width_);
+    std::fill_n(row, width_, static_cast<std::uint16_t>(farthest_ * farthest_));
+    for (const int wall : walls) {
+      const int last = std::min(wall + farthest_, static_cast<int>(width_) - 1);
+      for (int x = std::max(0, wall - farthest_); x <= last; ++x) {
+        const auto square = static_cast<std::uint16_t>((x - wall) * (x - wall));
+        row[x] = std::min(row[x], square);
+      }
     }
   }
 
@@ -62,16 +60,20 @@ class SquaredDistances {
 
 }  // namespace
 
-DistanceField::DistanceField(const PrecomputedGrids& walls, const Cell& first, const Cell& last, double farthest)
-    : first_(first), width_(std::max(4, last.x - first.x + 1)), height_(std::max(4, last.y - first.y + 1)) {
+DistanceField::DistanceField(int width, int height, const std::vector<Cell>& walls, double farthest) {
   const int reach = std::clamp(static_cast<int>(std::ceil(farthest)), 1, kMostCells);
-  SquaredDistances distances(width_, height_, reach);
-  std::vector<std::uint8_t> wall_row(static_cast<std::size_t>(width_));
-  for (int y = 0; y < height_; ++y) {
-    for (int x = 0; x < width_; ++x) {
-      wall_row[static_cast<std::size_t>(x)] = walls.level(0).at(first.x + x, first.y + y);
+  border_ = reach + 4;  // beyond it, smoothing included, all is flat
+  width_ = width + 2 * border_;
+  height_ = height + 2 * border_;
+  std::vector<std::vector<int>> columns(static_cast<std::size_t>(height_));  // of the walls in each row
+  for (const Cell& wall : walls) {
+    if (wall.x >= 0 && wall.y >= 0 && wall.x < width && wall.y < height) {
+      columns[static_cast<std::size_t>(wall.y + border_)].push_back(wall.x + border_);
     }
-    distances.setRow(y, wall_row.data());
+  }
+  SquaredDistances distances(width_, height_, reach);
+  for (int y = 0; y < height_; ++y) {
+    distances.setRow(y, columns[static_cast<std::size_t>(y)]);
   }
   values_.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
   for (int y = 0; y < height_; ++y) {
@@ -84,8 +86,8 @@ DistanceField::DistanceField(const PrecomputedGrids& walls, const Cell& first, c
 }
 
 DistanceField::Sample DistanceField::at(const Eigen::Vector2d& position) const {
-  const double x = position.x() - first_.x - 0.5;
-  const double y = position.y() - first_.y - 0.5;
+  const double x = position.x() + border_ - 0.5;
+  const double y = position.y() + border_ - 0.5;
   Sample sample;
   if (!(x >= 1.0 && y >= 1.0 && x < width_ - 2 && y < height_ - 2)) {
     return sample;

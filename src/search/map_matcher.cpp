@@ -48,7 +48,7 @@ MatchResult MapMatcher::match(const OccupancyGrid& session, const MatchPrior& pr
     buildSearchReference(resolution);
   }
   Stopwatch watch;
-  const SearchSession search_session = searchSession(session, options_);
+  const SearchSession search_session = searchSession(session, resolution, options_);
   MatchResult result = twoStageSearch(*search_reference_, search_session, options_, prior, stop);
   if (options_.search == "exact") {
     result = certify(result, *search_reference_, search_session, options_, prior, stop);

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <vector>
 
-#include "map_matcher/search/distance_field.hpp"
-
 namespace map_matcher {
 namespace {
 
@@ -26,13 +24,12 @@ struct NormalEquations {
   double weights = 0.0;
 };
 
+double scaleOf(double tolerance, double resolution) { return std::max(tolerance / resolution, 1.0); }
+
 class Refinement {
  public:
-  Refinement(const PrecomputedGrids& reference, const SessionCells& session, const CentrePose& pose, double tolerance)
-      : session_(session),
-        start_(pose),
-        scale_(std::max(tolerance / session.resolution, 1.0)),
-        field_(fieldAround(reference, session, pose, scale_)) {}
+  Refinement(const DistanceField& walls, const SessionCells& session, const CentrePose& pose, double tolerance)
+      : field_(walls), session_(session), start_(pose), scale_(scaleOf(tolerance, session.resolution)) {}
 
   RefinedPose run() const {
     RefinedPose result;
@@ -53,28 +50,6 @@ class Refinement {
   }
 
  private:
-  static DistanceField fieldAround(const PrecomputedGrids& reference, const SessionCells& session,
-                                   const CentrePose& pose, double scale) {
-    Eigen::Vector2d low(0.0, 0.0);
-    Eigen::Vector2d high(0.0, 0.0);
-    const Eigen::Matrix2d R = Rigid2{0.0, 0.0, pose.angle}.rotation();
-    for (const Eigen::Vector2d& p : session.points) {
-      const Eigen::Vector2d arm = R * p;
-      low = low.cwiseMin(arm);
-      high = high.cwiseMax(arm);
-    }
-    const double room = (3.0 + kFarthestOfTolerance) * scale + 4.0;  // for the moves, and for walls beside it
-    const Eigen::Vector2d middle = pose.position / session.resolution;
-    const Eigen::Vector2d first_wanted = (middle + low).array() - room;
-    const Eigen::Vector2d last_wanted = (middle + high).array() + room;
-    const double beside = kFarthestOfTolerance * scale + 4.0;  // beyond the map there are no walls
-    const Cell first{static_cast<int>(std::clamp(first_wanted.x(), -beside, reference.width() + beside)),
-                     static_cast<int>(std::clamp(first_wanted.y(), -beside, reference.height() + beside))};
-    const Cell last{static_cast<int>(std::clamp(last_wanted.x(), -beside, reference.width() + beside)),
-                    static_cast<int>(std::clamp(last_wanted.y(), -beside, reference.height() + beside))};
-    return {reference, first, last, kFarthestOfTolerance * scale};
-  }
-
   NormalEquations sumsAt(const Eigen::Vector2d& position, double angle) const {
     NormalEquations sums;
     const double c = std::cos(angle);
@@ -148,17 +123,20 @@ class Refinement {
            units.asDiagonal();
   }
 
+  const DistanceField& field_;
   const SessionCells& session_;
   CentrePose start_;
   double scale_;  // of the weights [cells]
-  DistanceField field_;
 };
 
 }  // namespace
 
-RefinedPose refine(const PrecomputedGrids& reference, const SessionCells& session, const CentrePose& pose,
-                   double tolerance) {
-  return Refinement(reference, session, pose, tolerance).run();
+double farthestThatMatters(double tolerance, double resolution) {
+  return kFarthestOfTolerance * scaleOf(tolerance, resolution);
+}
+
+RefinedPose refine(const DistanceField& walls, const SessionCells& session, const CentrePose& pose, double tolerance) {
+  return Refinement(walls, session, pose, tolerance).run();
 }
 
 }  // namespace map_matcher

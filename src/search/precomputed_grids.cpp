@@ -21,8 +21,8 @@ void mergeRows(const std::uint8_t* __restrict from, std::uint8_t* __restrict to,
 
 void requireAddressable(int width, int height, int level) {
   const int stride = 1 << level;
-  const double columns = divideUp(width, stride) + 2.0 * kMaxTileColumns + 1.0;
-  const double rows = divideUp(height, stride) + 2.0 * kMaxTileRows + 1.0;
+  const double columns = divideUp(width, stride) + 2.0 * kTileColumns + 1.0;
+  const double rows = divideUp(height, stride) + kTileRows + 2.0;
   if (columns * rows * stride * stride > std::numeric_limits<int>::max()) {
     throw std::invalid_argument("the reference map is " + std::to_string(width) + " x " + std::to_string(height) +
                                 " cells, too large for level " + std::to_string(level) + " of the search");
@@ -63,22 +63,42 @@ void WallArray::mergeShifted(std::ptrdiff_t shift) {
   }
 }
 
-PooledLevel::PooledLevel(int level, int width, int height, const WallArray& pooled, int shift)
+PooledLevel::PooledLevel(int level, int width, int height, const WallArray& pooled, int shift, int grain)
     : level_(level),
       columns_(divideUp(width, 1 << level)),
       rows_(divideUp(height, 1 << level)),
-      row_stride_(columns_ + 2 * kMaxTileColumns + 1),
-      phase_size_(row_stride_ * (rows_ + 2 * kMaxTileRows + 1)),
-      origin_((kMaxTileRows + 1) * row_stride_ + kMaxTileColumns + 1) {
+      row_length_(columns_ + 2 * kTileColumns + 1),
+      phase_size_(row_length_ * (rows_ + kTileRows + 2)),
+      origin_((kTileRows + 1) * row_length_ + kTileColumns + 1) {
   requireAddressable(width, height, level);
-  values_.assign(static_cast<std::size_t>(phase_size_) << (2 * level), 0);
-  for (int y = 1 - stride(); y < height; ++y) {
-    const std::uint8_t* row = pooled.row(y - shift) - shift;
+  words_.assign(static_cast<std::size_t>(phase_size_) << (2 * level), 0);
+  const int first_x = std::max(1 - stride(), shift - pooled.margin() / grain);
+  const int first_y = std::max(1 - stride(), shift - pooled.margin() / grain);
+  const int end_x = std::min(width, divideUp(pooled.width() + pooled.margin(), grain) + shift);
+  const int end_y = std::min(height, divideUp(pooled.height() + pooled.margin(), grain) + shift);
+  for (int y = first_y; y < end_y; ++y) {
+    const std::uint8_t* row = pooled.row((y - shift) * grain) - static_cast<std::ptrdiff_t>(shift) * grain;
     for (int phase = 0; phase < stride(); ++phase) {
-      std::uint8_t* target = &values_[address(phase, y)];
-      for (int x = phase == 0 ? 0 : phase - stride(); x < width; x += stride()) {
-        target[x >> level_] = row[x];
+      TileWord* target = &words_[address(phase, y)];
+      const int behind = (phase - first_x) & (stride() - 1);  // the first column of the phase
+      for (int x = first_x + behind; x < end_x; x += stride()) {
+        target[x >> level_] = row[static_cast<std::ptrdiff_t>(x) * grain];
       }
+    }
+  }
+  for (std::ptrdiff_t phase = 0; phase < std::ptrdiff_t{1} << (2 * level); ++phase) {
+    spreadRows(phase);
+  }
+}
+
+/// Gives each word of a phase, whose lowest bit is set by now, the bits of the rows above.
+void PooledLevel::spreadRows(std::ptrdiff_t phase) {
+  TileWord* row = words_.data() + (phase + 1) * phase_size_ - row_length_;  // the last one, all zeros
+  for (int j = rows_ - 1; j >= -kTileRows - 1; --j) {
+    const TileWord* above = row;
+    row -= row_length_;
+    for (int i = 0; i < row_length_; ++i) {
+      row[i] = static_cast<TileWord>(row[i] | (above[i] << 1));
     }
   }
 }

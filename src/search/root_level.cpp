@@ -10,11 +10,11 @@ namespace {
 
 constexpr int kSampledBlocks = 6;
 
-// What a session cell costs in each step, in nanoseconds of one core; only their ratios matter (benchmark:
-// BM_Certified).
-constexpr double kRotating = 6.0;             // rotating it and putting it together with others, for a block
-constexpr double kScoringNode = 3.0 / 512.0;  // counting it for an initial node, one of a tile
-constexpr double kExpandingNode = 2.0;        // counting it for the children of a node
+// What one of the points that stand for the session costs in each step, in nanoseconds of one core; only their ratios
+// matter (benchmark: BM_Certified).
+constexpr double kRotating = 3.0;             // rotating it, for a block
+constexpr double kScoringNode = 2.0 / 512.0;  // counting it for an initial node, one of a tile
+constexpr double kExpandingNode = 4.0;        // counting it for the children of a node
 
 /// Expected cost of the whole search at a level.
 struct LevelCost {
@@ -34,11 +34,10 @@ LevelCost costOf(const ExactProblem& problem, const ExactSettings& settings, int
     search.scoreRoots(block, min_count);
     promising += static_cast<double>(block.roots.size());
   }
-  const double cells = problem.rotations.numCells();
-  const double here = cells / shape.merged();
-  const double below = cells / BlockShape{level - 1}.merged();
+  const double here = problem.rotations.numPoints(shape);
+  const double below = problem.rotations.numPoints(BlockShape{level - 1});
   const double share = static_cast<double>(num_blocks) / std::max(1, num_sampled);
-  return {share * (num_sampled * cells * kRotating + static_cast<double>(search.nodesScored()) * here * kScoringNode),
+  return {share * (num_sampled * here * kRotating + static_cast<double>(search.nodesScored()) * here * kScoringNode),
           share * promising * below * kExpandingNode};
 }
 

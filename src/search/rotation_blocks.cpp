@@ -1,16 +1,16 @@
 #include "map_matcher/search/rotation_blocks.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
 
+#include "vector_clones.hpp"
+
 namespace map_matcher {
 namespace {
-
-/// Added to half of the arc for the rounding of single precision, which is below 0.01 cells for kMaxSessionDiagonal.
-/// The arc is a whole number and a half, so that its ceiling, BlockShape::arc(), has room for twice this.
-constexpr float kRounding = 0.02F;
 
 double farthestPoint(const SessionCells& session) {
   double farthest = 0.0;
@@ -20,45 +20,54 @@ double farthestPoint(const SessionCells& session) {
   return farthest;
 }
 
-/// floor() of a number from -32768 on, in plain arithmetic that compilers turn into vector instructions everywhere.
-std::int16_t floorToCell(float value) {
-  const int truncated = static_cast<int>(value);
-  return static_cast<std::int16_t>(truncated - (static_cast<float>(truncated) > value ? 1 : 0));
+/// Turning by an angle and moving by `offset` along both axes, in steps of the grain.
+struct Turn {
+  float cosine;
+  float sine;
+  float offset;
+};
+
+/// floor() of the turned points. Truncating and correcting is what compilers turn into vector instructions everywhere.
+MAP_MATCHER_VECTOR_CLONES
+void turnToCells(const float* x, const float* y, std::size_t size, const Turn& turn, std::int16_t* cell_x,
+                 std::int16_t* cell_y) {
+  for (std::size_t k = 0; k < size; ++k) {
+    const float turned_x = turn.cosine * x[k] - turn.sine * y[k] + turn.offset;
+    const float turned_y = turn.sine * x[k] + turn.cosine * y[k] + turn.offset;
+    const int whole_x = static_cast<int>(turned_x);
+    const int whole_y = static_cast<int>(turned_y);
+    cell_x[k] = static_cast<std::int16_t>(whole_x - (static_cast<float>(whole_x) > turned_x ? 1 : 0));
+    cell_y[k] = static_cast<std::int16_t>(whole_y - (static_cast<float>(whole_y) > turned_y ? 1 : 0));
+  }
 }
 
 }  // namespace
 
-RotationBlocks::RotationBlocks(const SessionCells& session, double first_angle, double step, int count)
+RotationBlocks::RotationBlocks(const SessionCells& session, double first_angle, double step, int count, int top_level)
     : session_(session), first_angle_(first_angle), step_(step), count_(count) {
   const double farthest = farthestPoint(session);
   if (!(step > 0.0 && step * farthest <= 0.5)) {
     throw std::invalid_argument("a rotation step of " + std::to_string(step) + " rad moves a session cell by " +
                                 std::to_string(step * farthest) + " cells, expected at most 0.5");
   }
-  for (const Eigen::Vector2d& p : session.points) {
-    x_.push_back(static_cast<float>(p.x()));
-    y_.push_back(static_cast<float>(p.y()));
+  for (int level = 1; level <= top_level; ++level) {
+    clusters_.push_back(clustersOf(session, BlockShape{level}));
   }
 }
 
-WeightedCells RotationBlocks::cells(const BlockShape& shape, int first_rotation, CellMerger& merger) const {
+WeightedCells RotationBlocks::cells(const BlockShape& shape, int first_rotation) const {
   if (shape.level == 0) {
-    return merger.merge(rotate(session_, angle(first_rotation)), 1);
+    return {rotate(session_, angle(first_rotation)), {{session_.points.size(), 1}}, numCells()};
   }
+  const SessionClusters& clusters = clusters_[static_cast<std::size_t>(shape.level - 1)];
   const double middle = angle(first_rotation) + 0.5 * (shape.stride() - 1) * step_;
-  return merger.merge(lowerCorners(shape, middle), shape.merged());
-}
-
-RotatedCells RotationBlocks::lowerCorners(const BlockShape& shape, double middle) const {
-  const auto c = static_cast<float>(std::cos(middle));
-  const auto s = static_cast<float>(std::sin(middle));
-  const float back = static_cast<float>(shape.halfArc()) + kRounding;
-  const std::size_t n = x_.size();
-  RotatedCells cells{std::vector<std::int16_t>(n), std::vector<std::int16_t>(n)};
-  for (std::size_t k = 0; k < n; ++k) {
-    cells.x[k] = floorToCell(c * x_[k] - s * y_[k] - back);
-    cells.y[k] = floorToCell(s * x_[k] + c * y_[k] - back);
-  }
+  const double step = 1.0 / shape.grain();
+  const Turn turn{static_cast<float>(step * std::cos(middle)), static_cast<float>(step * std::sin(middle)),
+                  static_cast<float>(-0.5 * step * shape.room())};
+  const std::size_t size = clusters.x.size();
+  WeightedCells cells{
+      {std::vector<std::int16_t>(size), std::vector<std::int16_t>(size)}, clusters.runs, clusters.total};
+  turnToCells(clusters.x.data(), clusters.y.data(), size, turn, cells.cells.x.data(), cells.cells.y.data());
   return cells;
 }
 

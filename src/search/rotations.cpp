@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+
+#include "vector_clones.hpp"
 
 namespace map_matcher {
+
 double rotationStep(double rotation_downsampling, double diagonal) {
   const double dr = rotation_downsampling / diagonal;  // eq. 4.2
   return 2.0 * M_PI / std::max(1.0, std::ceil(2.0 * M_PI / dr));
@@ -31,24 +35,27 @@ std::vector<double> rotationsAround(double centre, double half_width, double ste
 
 namespace {
 
-/// floor() for numbers from -32768 on, in plain arithmetic that compilers turn into vector instructions everywhere.
-std::int16_t floorToCell(double value) {
+/// floor() of the turned points, for results from -32768 on. Adding an offset and truncating is what compilers turn
+/// into vector instructions everywhere.
+MAP_MATCHER_VECTOR_CLONES
+void turnToCells(const Eigen::Vector2d* points, std::size_t size, double cosine, double sine, std::int16_t* x,
+                 std::int16_t* y) {
   constexpr int kOffset = 32768;
-  return static_cast<std::int16_t>(static_cast<int>(value + kOffset) - kOffset);
+  for (std::size_t k = 0; k < size; ++k) {
+    const double* p = points[k].data();
+    const double turned_x = cosine * p[0] - sine * p[1];
+    const double turned_y = sine * p[0] + cosine * p[1];
+    x[k] = static_cast<std::int16_t>(static_cast<int>(turned_x + kOffset) - kOffset);
+    y[k] = static_cast<std::int16_t>(static_cast<int>(turned_y + kOffset) - kOffset);
+  }
 }
 
 }  // namespace
 
 RotatedCells rotate(const SessionCells& session, double angle) {
-  const double c = std::cos(angle);
-  const double s = std::sin(angle);
-  const std::size_t n = session.points.size();
-  RotatedCells cells{std::vector<std::int16_t>(n), std::vector<std::int16_t>(n)};
-  for (std::size_t k = 0; k < n; ++k) {
-    const Eigen::Vector2d& p = session.points[k];
-    cells.x[k] = floorToCell(c * p.x() - s * p.y());
-    cells.y[k] = floorToCell(s * p.x() + c * p.y());
-  }
+  const std::size_t size = session.points.size();
+  RotatedCells cells{std::vector<std::int16_t>(size), std::vector<std::int16_t>(size)};
+  turnToCells(session.points.data(), size, std::cos(angle), std::sin(angle), cells.x.data(), cells.y.data());
   return cells;
 }
 

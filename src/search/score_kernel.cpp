@@ -1,6 +1,8 @@
 #include "map_matcher/search/score_kernel.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstring>
 
 #if defined(__x86_64__) && defined(__GNUC__)
@@ -12,14 +14,24 @@
 namespace map_matcher {
 namespace {
 
-/// Cells counted in 8 bits before the counts are widened and a hopeless tile is given up; at most 255.
+/// Cells that are counted before a hopeless tile is given up.
 constexpr std::size_t kChunk = 128;
 
-/// Vector types of GCC and clang: portable, and split by the compiler where the processor's registers are narrower.
-template <int kBytes>
-struct ByteVector {
-  // NOLINTNEXTLINE(modernize-use-using): GCC ignores the attribute of a dependent type in an alias.
-  typedef std::uint8_t type __attribute__((vector_size(kBytes)));
+/// Cells that one tree of carry-save adders takes; a divisor of kChunk.
+constexpr std::size_t kTree = 16;
+
+/// Binary digits of a count.
+constexpr int kMaxDigits = 32;
+
+constexpr std::size_t kTileBytes = kTileColumns * sizeof(TileWord);
+
+/// A bit for each translation of a tile.
+using TileBits = std::array<TileWord, kTileColumns>;
+
+/// Counts of all translations of a tile, one binary digit after the other.
+struct TileCounts {
+  std::array<TileBits, kMaxDigits> digits;
+  int size = 0;  // digits in use
 };
 
 /// Up to kChunk cells and where their first translation lies.
@@ -29,159 +41,170 @@ struct Chunk {
   const std::int16_t* y;
   std::size_t size;
   Cell first;
-  std::int32_t weight;  // of each cell
+  int digit;  // each cell counts 2^digit times
 };
 
 #define MAP_MATCHER_INLINE __attribute__((always_inline)) inline
 
-/// Where the chunk's tiles begin. Inlined into each variant, so that its vector instructions compute them.
-MAP_MATCHER_INLINE void computeAddresses(const Chunk& chunk, std::uint32_t* addresses) {
+/// Vector types of GCC and clang: portable, and split by the compiler where the processor's registers are narrower.
+template <int kBytes>
+struct BitVector {
+  // NOLINTNEXTLINE(modernize-use-using): GCC ignores the attribute of a dependent type in an alias.
+  typedef std::uint64_t type __attribute__((vector_size(kBytes)));
+};
+
+/// The part of a tile's bits that begins at a byte.
+template <typename Vector>
+MAP_MATCHER_INLINE void load(const TileWord* words, std::size_t byte, Vector& vector) {
+  std::memcpy(&vector, reinterpret_cast<const unsigned char*>(words) + byte, sizeof(vector));
+}
+
+template <typename Vector>
+MAP_MATCHER_INLINE void store(const Vector& vector, std::size_t byte, TileWord* words) {
+  std::memcpy(reinterpret_cast<unsigned char*>(words) + byte, &vector, sizeof(vector));
+}
+
+/// Where the chunk's tiles begin, filled up to whole trees. Inlined into each variant, so that its vector instructions
+/// compute them. Returns how many there are.
+MAP_MATCHER_INLINE std::size_t computeAddresses(const Chunk& chunk, std::uint32_t* addresses) {
   const PooledLevel& level = *chunk.level;
   for (std::size_t k = 0; k < chunk.size; ++k) {
     addresses[k] = level.address(chunk.x[k] + chunk.first.x, chunk.y[k] + chunk.first.y);
   }
+  std::size_t size = chunk.size;
+  for (; size % kTree != 0; ++size) {
+    addresses[size] = PooledLevel::emptyAddress();
+  }
+  return size;
 }
 
-/// Adds the tiles of a chunk to `counts` and returns the largest of them. Eight-bit counters stay in registers, kRows
-/// rows at once, so that one addition serves as many translations as a register has bytes; benchmark: BM_ScoreTile.
-template <TileShape kShape, int kVectorBytes, int kRows>
-MAP_MATCHER_INLINE std::int32_t addTiles(const Chunk& chunk, std::int32_t* counts) {
-  using Vector = typename ByteVector<kVectorBytes>::type;
-  constexpr int kColumns = tileColumns(kShape);
-  constexpr int kVectorsPerRow = kColumns / kVectorBytes;
+/// A carry-save adder: sum and two more numbers of one digit become a sum and a carry.
+template <typename Vector>
+MAP_MATCHER_INLINE void addDigits(Vector& sum, Vector& carry, const Vector& a, const Vector& b) {
+  const Vector either = sum ^ a;
+  carry = (sum & a) | (either & b);
+  sum = either ^ b;
+}
+
+/// Adds the tiles of a chunk to the counts: each bit of a register is one translation, and a tree of carry-save adders
+/// takes kTree tiles with two or five operations each (Harley and Seal's population count; benchmark: BM_ScoreTile).
+template <int kVectorBytes>
+MAP_MATCHER_INLINE void addTiles(const Chunk& chunk, TileCounts& counts) {
+  using Vector = typename BitVector<kVectorBytes>::type;
   std::uint32_t addresses[kChunk];
-  computeAddresses(chunk, addresses);
-  const std::ptrdiff_t row_stride = chunk.level->rowStride();
-  std::int32_t largest = 0;
-  for (int top = 0; top < tileRows(kShape); top += kRows) {
-    const std::uint8_t* values = chunk.level->data() + top * row_stride;
-    Vector sums[kRows][kVectorsPerRow] = {};
-    for (std::size_t k = 0; k < chunk.size; ++k) {
-      const std::uint8_t* tile = values + addresses[k];
-      for (int row = 0; row < kRows; ++row) {
-        for (int v = 0; v < kVectorsPerRow; ++v) {
-          Vector bytes;
-          std::memcpy(&bytes, tile + row * row_stride + v * kVectorBytes, sizeof(bytes));
-          sums[row][v] += bytes;
+  const std::size_t size = computeAddresses(chunk, addresses);
+  const TileWord* words = chunk.level->words();
+  TileBits* digits = &counts.digits[static_cast<std::size_t>(chunk.digit)];
+  const int num_digits = counts.size - chunk.digit;
+  for (std::size_t part = 0; part < kTileBytes; part += kVectorBytes) {
+    Vector ones;
+    Vector twos;
+    Vector fours;
+    Vector eights;
+    load(digits[0].data(), part, ones);
+    load(digits[1].data(), part, twos);
+    load(digits[2].data(), part, fours);
+    load(digits[3].data(), part, eights);
+    for (std::size_t tree = 0; tree < size; tree += kTree) {
+      Vector eight[2];
+      for (std::size_t k = 0; k < 2; ++k) {
+        Vector four[2];
+        for (std::size_t l = 0; l < 2; ++l) {
+          Vector two[2];
+          for (std::size_t m = 0; m < 2; ++m) {
+            const std::uint32_t* address = addresses + tree + 8 * k + 4 * l + 2 * m;
+            Vector a;
+            Vector b;
+            load(words + address[0], part, a);
+            load(words + address[1], part, b);
+            addDigits(ones, two[m], a, b);
+          }
+          addDigits(twos, four[l], two[0], two[1]);
         }
+        addDigits(fours, eight[k], four[0], four[1]);
+      }
+      Vector carry;
+      addDigits(eights, carry, eight[0], eight[1]);
+      for (int digit = 4; digit < num_digits; ++digit) {
+        Vector sum;
+        load(digits[digit].data(), part, sum);
+        const Vector next = sum & carry;
+        store(Vector(sum ^ carry), part, digits[digit].data());
+        carry = next;
       }
     }
-    std::uint8_t narrow[kRows * kColumns];
-    std::memcpy(narrow, sums, sizeof(narrow));
-    for (int i = 0; i < kRows * kColumns; ++i) {
-      const std::int32_t count = counts[top * kColumns + i] + chunk.weight * narrow[i];
-      counts[top * kColumns + i] = count;
-      largest = count > largest ? count : largest;
+    store(ones, part, digits[0].data());
+    store(twos, part, digits[1].data());
+    store(fours, part, digits[2].data());
+    store(eights, part, digits[3].data());
+  }
+}
+
+/// Which translations reach a number: from the highest digit on, a count is larger at its first digit that is.
+template <int kVectorBytes>
+MAP_MATCHER_INLINE void findReaching(const TileCounts& counts, std::uint32_t number, TileBits& reaching) {
+  using Vector = typename BitVector<kVectorBytes>::type;
+  for (std::size_t part = 0; part < kTileBytes; part += kVectorBytes) {
+    Vector larger = {};
+    Vector equal = ~larger;
+    for (int digit = counts.size - 1; digit >= 0; --digit) {
+      Vector bits;
+      load(counts.digits[static_cast<std::size_t>(digit)].data(), part, bits);
+      if ((number >> digit & 1U) != 0) {
+        equal &= bits;
+      } else {
+        larger |= equal & bits;
+        equal &= ~bits;
+      }
+    }
+    store(Vector(larger | equal), part, reaching.data());
+  }
+}
+
+/// The counts of a column of a tile.
+using ColumnCounts = std::array<std::int32_t, kTileRows>;
+
+MAP_MATCHER_INLINE void readColumn(const TileCounts& counts, int column, ColumnCounts& result) {
+  result = {};
+  for (int digit = 0; digit < counts.size; ++digit) {
+    const unsigned bits = counts.digits[static_cast<std::size_t>(digit)][static_cast<std::size_t>(column)];
+    for (unsigned row = 0; row < kTileRows; ++row) {
+      result[row] |= static_cast<std::int32_t>((bits >> row & 1U) << digit);
     }
   }
-  return largest;
 }
 
-/// Adds two rows of two translations to `counts` and returns the largest of them: each load brings two neighbours as
-/// the bytes of one number, which at most kChunk additions keep from running into each other.
-MAP_MATCHER_INLINE std::int32_t addChildren(const Chunk& chunk, std::int32_t* counts) {
-  std::uint32_t addresses[kChunk];
-  computeAddresses(chunk, addresses);
-  const std::uint8_t* lower = chunk.level->data();
-  const std::uint8_t* upper = lower + chunk.level->rowStride();
-  std::uint32_t sums[2] = {0, 0};
-  for (std::size_t k = 0; k < chunk.size; ++k) {
-    std::uint16_t pairs[2];
-    std::memcpy(&pairs[0], lower + addresses[k], sizeof(pairs[0]));
-    std::memcpy(&pairs[1], upper + addresses[k], sizeof(pairs[1]));
-    sums[0] += pairs[0];
-    sums[1] += pairs[1];
-  }
-  for (int row = 0; row < 2; ++row) {
-    const auto pair = static_cast<std::uint16_t>(sums[row]);
-    std::uint8_t bytes[2];
-    std::memcpy(bytes, &pair, sizeof(bytes));
-    counts[2 * row] += chunk.weight * bytes[0];
-    counts[2 * row + 1] += chunk.weight * bytes[1];
-  }
-  return std::max({counts[0], counts[1], counts[2], counts[3]});
-}
-
-// The same three functions for each instruction set.
-#define MAP_MATCHER_KERNEL(SUFFIX, TARGET, WIDE_BYTES, WIDE_ROWS)                        \
-  TARGET std::int32_t addWideTiles##SUFFIX(const Chunk& chunk, std::int32_t* counts) {   \
-    return addTiles<TileShape::kWide, WIDE_BYTES, WIDE_ROWS>(chunk, counts);             \
-  }                                                                                      \
-  TARGET std::int32_t addNarrowTiles##SUFFIX(const Chunk& chunk, std::int32_t* counts) { \
-    return addTiles<TileShape::kNarrow, 16, kMaxTileRows>(chunk, counts);                \
-  }                                                                                      \
-  TARGET std::int32_t addChildren##SUFFIX(const Chunk& chunk, std::int32_t* counts) {    \
-    return addChildren(chunk, counts);                                                   \
+// The same functions for each instruction set.
+#define MAP_MATCHER_KERNEL(SUFFIX, TARGET, BYTES)                                                          \
+  TARGET void addTiles##SUFFIX(const Chunk& chunk, TileCounts& counts) { addTiles<BYTES>(chunk, counts); } \
+  TARGET void findReaching##SUFFIX(const TileCounts& counts, std::uint32_t number, TileBits& reaching) {   \
+    findReaching<BYTES>(counts, number, reaching);                                                         \
+  }                                                                                                        \
+  TARGET void readColumn##SUFFIX(const TileCounts& counts, int column, ColumnCounts& result) {             \
+    readColumn(counts, column, result);                                                                    \
   }
 
-MAP_MATCHER_KERNEL(Baseline, , 16, 2)
+MAP_MATCHER_KERNEL(Baseline, , 16)
 #if MAP_MATCHER_X86
-MAP_MATCHER_KERNEL(Avx2, __attribute__((target("avx2"))), 32, 4)
-MAP_MATCHER_KERNEL(Avx512, __attribute__((target("avx512bw"))), 64, 8)
+MAP_MATCHER_KERNEL(Avx2, __attribute__((target("avx2"))), 32)
+MAP_MATCHER_KERNEL(Avx512, __attribute__((target("avx512bw"))), 64)
 #endif
-
-using AddFunction = std::int32_t (*)(const Chunk&, std::int32_t*);
-
-/// Counts of some translations, as far as the cells are counted.
-struct Progress {
-  std::int32_t* counts;
-  std::int32_t rest;       // weight of the cells to come
-  std::int32_t min_count;  // that one of the translations has to reach
-};
-
-/// Counts cells of one weight, chunk by chunk, until `min_count` is out of reach for each of the translations.
-bool countCells(AddFunction add, Chunk cells, Progress& progress) {
-  for (std::size_t left = cells.size; left > 0;) {
-    cells.size = std::min(kChunk, left);
-    const std::int32_t largest = add(cells, progress.counts);
-    progress.rest -= static_cast<std::int32_t>(cells.size) * cells.weight;
-    if (largest + progress.rest < progress.min_count) {
-      return false;
-    }
-    left -= cells.size;
-    cells.x += cells.size;
-    cells.y += cells.size;
-  }
-  return true;
-}
-
-bool countAll(AddFunction add, const PooledLevel& level, const RotatedCells& cells, const Cell& first,
-              Progress progress) {
-  progress.rest = static_cast<std::int32_t>(cells.x.size());
-  return countCells(add, {&level, cells.x.data(), cells.y.data(), cells.x.size(), first, 1}, progress);
-}
-
-bool countAll(AddFunction add, const PooledLevel& level, const WeightedCells& weighted, const Cell& first,
-              Progress progress) {
-  progress.rest = weighted.total;
-  std::size_t begin = 0;
-  for (const WeightedCells::Run& run : weighted.runs) {
-    const RotatedCells& cells = weighted.cells;
-    if (!countCells(add, {&level, &cells.x[begin], &cells.y[begin], run.size, first, run.weight}, progress)) {
-      return false;
-    }
-    begin += run.size;
-  }
-  return true;
-}
 
 }  // namespace
 
 /// The kernel's functions for one instruction set.
 struct ScoreKernel::Functions {
-  AddFunction add_wide_tiles;
-  AddFunction add_narrow_tiles;
-  AddFunction add_children;
-
-  AddFunction addTiles(TileShape shape) const { return shape == TileShape::kWide ? add_wide_tiles : add_narrow_tiles; }
+  void (*add_tiles)(const Chunk&, TileCounts&);
+  void (*find_reaching)(const TileCounts&, std::uint32_t, TileBits&);
+  void (*read_column)(const TileCounts&, int, ColumnCounts&);
 };
 
 namespace {
 
-constexpr ScoreKernel::Functions kBaselineFunctions{addWideTilesBaseline, addNarrowTilesBaseline, addChildrenBaseline};
+constexpr ScoreKernel::Functions kBaselineFunctions{addTilesBaseline, findReachingBaseline, readColumnBaseline};
 #if MAP_MATCHER_X86
-constexpr ScoreKernel::Functions kAvx2Functions{addWideTilesAvx2, addNarrowTilesAvx2, addChildrenAvx2};
-constexpr ScoreKernel::Functions kAvx512Functions{addWideTilesAvx512, addNarrowTilesAvx512, addChildrenAvx512};
+constexpr ScoreKernel::Functions kAvx2Functions{addTilesAvx2, findReachingAvx2, readColumnAvx2};
+constexpr ScoreKernel::Functions kAvx512Functions{addTilesAvx512, findReachingAvx512, readColumnAvx512};
 #endif
 
 const ScoreKernel::Functions* functionsOf(KernelVariant variant) {
@@ -200,6 +223,92 @@ const ScoreKernel::Functions* functionsOf(KernelVariant variant) {
   return &kBaselineFunctions;
 }
 
+int numDigits(std::uint32_t number) {
+  int digits = 0;
+  for (; number > 0; number >>= 1U) {
+    ++digits;
+  }
+  return digits;
+}
+
+/// Counting one tile.
+class TileCounting {
+ public:
+  TileCounting(const ScoreKernel::Functions& functions, const PooledLevel& level, const Cell& first,
+               const TileSize& size, std::int32_t total, std::int32_t min_count)
+      : functions_(functions),
+        level_(level),
+        first_(first),
+        total_(total),
+        rest_(total),
+        min_count_(std::max(0, min_count)) {
+    constexpr int kTreeDigits = 4;  // that a tree adds to, whatever the weight
+    counts_.size = std::min(kMaxDigits, numDigits(static_cast<std::uint32_t>(total)) + kTreeDigits);
+    std::fill_n(counts_.digits.begin(), counts_.size, TileBits{});
+    const auto rows = static_cast<TileWord>((1U << static_cast<unsigned>(size.rows)) - 1U);
+    std::fill_n(wanted_.begin(), size.columns, rows);
+  }
+
+  /// Counts cells that count `weight` times each, a power of two, until min_count is out of reach.
+  bool add(const std::int16_t* x, const std::int16_t* y, std::size_t size, std::int32_t weight) {
+    const int digit = numDigits(static_cast<std::uint32_t>(weight)) - 1;
+    for (std::size_t begin = 0; begin < size; begin += kChunk) {
+      const std::size_t chunk_size = std::min(kChunk, size - begin);
+      functions_.add_tiles({&level_, x + begin, y + begin, chunk_size, first_, digit}, counts_);
+      rest_ -= static_cast<std::int32_t>(chunk_size) * weight;
+      if (rest_ < min_count_ && !anyReaches(min_count_ - rest_)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// The translations that reach min_count, when all cells were counted.
+  void collect(std::vector<TileScore>& scores) {
+    if (!anyReaches(min_count_)) {
+      return;
+    }
+    for (int column = 0; column < kTileColumns; ++column) {
+      const TileWord rows = reaching_[static_cast<std::size_t>(column)];
+      if (rows == 0) {
+        continue;
+      }
+      ColumnCounts column_counts;
+      functions_.read_column(counts_, column, column_counts);
+      for (int row = 0; row < kTileRows; ++row) {
+        if ((rows >> row & 1) != 0) {
+          scores.push_back({column, row, column_counts[static_cast<std::size_t>(row)]});
+        }
+      }
+    }
+  }
+
+ private:
+  /// Whether any wanted translation has that many already.
+  bool anyReaches(std::int32_t number) {
+    if (number > total_) {
+      return false;
+    }
+    functions_.find_reaching(counts_, static_cast<std::uint32_t>(number), reaching_);
+    unsigned any = 0;
+    for (std::size_t column = 0; column < reaching_.size(); ++column) {
+      reaching_[column] = static_cast<TileWord>(reaching_[column] & wanted_[column]);
+      any |= reaching_[column];
+    }
+    return any != 0;
+  }
+
+  const ScoreKernel::Functions& functions_;
+  const PooledLevel& level_;
+  Cell first_;
+  std::int32_t total_;  // of all cells
+  std::int32_t rest_;   // that the cells to come add at most
+  std::int32_t min_count_;
+  TileCounts counts_;
+  TileBits wanted_{};
+  TileBits reaching_{};
+};
+
 }  // namespace
 
 std::vector<KernelVariant> availableKernelVariants() {
@@ -217,28 +326,28 @@ std::vector<KernelVariant> availableKernelVariants() {
 
 ScoreKernel::ScoreKernel(KernelVariant variant) : functions_(functionsOf(variant)) {}
 
-bool ScoreKernel::scoreTile(TileShape shape, const PooledLevel& level, const RotatedCells& cells, const Cell& first,
-                            std::int32_t min_count, TileCounts& counts) const {
-  counts.fill(0);
-  return countAll(functions_->addTiles(shape), level, cells, first, {counts.data(), 0, min_count});
+void ScoreKernel::scoreTile(const PooledLevel& level, const RotatedCells& cells, const Cell& first,
+                            const TileSize& size, std::int32_t min_count, std::vector<TileScore>& scores) const {
+  scores.clear();
+  const auto total = static_cast<std::int32_t>(cells.x.size());
+  TileCounting counting(*functions_, level, first, size, total, min_count);
+  if (counting.add(cells.x.data(), cells.y.data(), cells.x.size(), 1)) {
+    counting.collect(scores);
+  }
 }
 
-bool ScoreKernel::scoreTile(TileShape shape, const PooledLevel& level, const WeightedCells& cells, const Cell& first,
-                            std::int32_t min_count, TileCounts& counts) const {
-  counts.fill(0);
-  return countAll(functions_->addTiles(shape), level, cells, first, {counts.data(), 0, min_count});
-}
-
-bool ScoreKernel::scoreChildren(const PooledLevel& level, const RotatedCells& cells, const Cell& first,
-                                std::int32_t min_count, std::array<std::int32_t, 4>& counts) const {
-  counts.fill(0);
-  return countAll(functions_->add_children, level, cells, first, {counts.data(), 0, min_count});
-}
-
-bool ScoreKernel::scoreChildren(const PooledLevel& level, const WeightedCells& cells, const Cell& first,
-                                std::int32_t min_count, std::array<std::int32_t, 4>& counts) const {
-  counts.fill(0);
-  return countAll(functions_->add_children, level, cells, first, {counts.data(), 0, min_count});
+void ScoreKernel::scoreTile(const PooledLevel& level, const WeightedCells& weighted, const Cell& first,
+                            const TileSize& size, std::int32_t min_count, std::vector<TileScore>& scores) const {
+  scores.clear();
+  TileCounting counting(*functions_, level, first, size, weighted.total, min_count);
+  std::size_t begin = 0;
+  for (const WeightedCells::Run& run : weighted.runs) {
+    if (!counting.add(&weighted.cells.x[begin], &weighted.cells.y[begin], run.size, run.weight)) {
+      return;
+    }
+    begin += run.size;
+  }
+  counting.collect(scores);
 }
 
 }  // namespace map_matcher

@@ -22,14 +22,14 @@ RotatedCells everyKth(const RotatedCells& cells, int num_wanted) {
 
 /// The most matches of the sample at any node of the window.
 std::int32_t bestCount(const PooledLevel& level, const RotatedCells& sample, const SearchWindow& window) {
-  constexpr TileShape kShape = TileShape::kWide;
   const ScoreKernel kernel;
-  TileCounts counts;
+  std::vector<TileScore> scores;
   std::int32_t best = 0;
-  for (int y = window.first.y; y <= window.last.y; y += level.stride() * tileRows(kShape)) {
-    for (int x = window.first.x; x <= window.last.x; x += level.stride() * tileColumns(kShape)) {
-      if (kernel.scoreTile(kShape, level, sample, {x, y}, best + 1, counts)) {
-        best = *std::max_element(counts.begin(), counts.end());
+  for (int y = window.first.y; y <= window.last.y; y += level.stride() * kTileRows) {
+    for (int x = window.first.x; x <= window.last.x; x += level.stride() * kTileColumns) {
+      kernel.scoreTile(level, sample, {x, y}, {}, best + 1, scores);
+      for (const TileScore& score : scores) {
+        best = std::max(best, score.count);
       }
     }
   }

@@ -2,17 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-
-#include "map_matcher/grid/occupied_cells.hpp"
 
 namespace map_matcher {
-
-SearchSession searchSession(const OccupancyGrid& session, const MatchOptions& options) {
-  const double offset = -options.session_map_cell_offset * session.resolution();
-  return {occupiedCells(session, static_cast<std::int8_t>(options.occupied_threshold)), session.resolution(),
-          session.geometry().T_map_grid * Rigid2{offset, offset, 0.0}};
-}
 
 Rigid2 SearchFrames::mapPose(const CentrePose& pose, const Eigen::Vector2d& centre) const {
   const Eigen::Vector2d t = pose.position - Rigid2{0.0, 0.0, pose.angle} * centre;

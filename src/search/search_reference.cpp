@@ -2,20 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <future>
+#include <vector>
 
 #include "map_matcher/grid/occupied_cells.hpp"
 #include "map_matcher/grid/resample.hpp"
+#include "map_matcher/search/pose_refiner.hpp"
 
 namespace map_matcher {
-namespace {
-
-PrecomputedGrids poolWalls(const OccupancyGrid& grid, const MatchOptions& options, int top_level) {
-  return {grid.width(), grid.height(), occupiedCells(grid, static_cast<std::int8_t>(options.occupied_threshold)),
-          top_level};
-}
-
-}  // namespace
-
 double nearestHalving(double resolution, double coarse_resolution) {
   const double halvings = std::max(0.0, std::round(std::log2(coarse_resolution / resolution)));
   return resolution * std::exp2(halvings);
@@ -28,17 +23,26 @@ int exactTopLevel(double resolution) {
 }
 
 SearchReference::SearchReference(const OccupancyGrid& reference, double resolution, const MatchOptions& options)
-    : fine_resolution_(resolution),
-      coarse_resolution_(nearestHalving(resolution, options.coarse_resolution)),
-      fine_(poolWalls(resample(reference, resolution), options, kFineRootLevel)),
-      coarse_(poolWalls(resample(reference, coarse_resolution_), options, kCoarseRootLevel)) {
+    : fine_resolution_(resolution), coarse_resolution_(nearestHalving(resolution, options.coarse_resolution)) {
   const double offset = -options.reference_map_cell_offset * reference.resolution();
   T_reference_grid_ = reference.geometry().T_map_grid * Rigid2{offset, offset, 0.0};
+  const auto threshold = static_cast<std::int8_t>(options.occupied_threshold);
+  const OccupancyGrid grid = resample(reference, resolution);
+  const std::vector<Cell> walls = occupiedCells(grid, threshold);
+  std::vector<std::future<void>> others;
   if (options.search == "exact") {
-    const OccupancyGrid grid = resample(reference, resolution);
-    exact_.emplace(grid.width(), grid.height(),
-                   occupiedCells(grid, static_cast<std::int8_t>(options.occupied_threshold)),
-                   options.hit_tolerance / resolution, exactTopLevel(resolution));
+    others.push_back(std::async(std::launch::async, [&] {
+      exact_.emplace(grid.width(), grid.height(), walls, options.hit_tolerance / resolution, exactTopLevel(resolution));
+    }));
+    others.push_back(std::async(std::launch::async, [&] {
+      walls_.emplace(grid.width(), grid.height(), walls, farthestThatMatters(options.hit_tolerance, resolution));
+    }));
+  }
+  fine_.emplace(grid.width(), grid.height(), walls, kFineRootLevel);
+  const OccupancyGrid coarse = resample(reference, coarse_resolution_);
+  coarse_.emplace(coarse.width(), coarse.height(), occupiedCells(coarse, threshold), kCoarseTopLevel);
+  for (std::future<void>& other : others) {
+    other.get();
   }
 }
 

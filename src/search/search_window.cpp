@@ -1,7 +1,11 @@
 #include "map_matcher/search/search_window.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <vector>
+
+#include "vector_clones.hpp"
 
 namespace map_matcher {
 namespace {
@@ -13,42 +17,69 @@ struct Range {
 
 using Runs = std::vector<WeightedCells::Run>;
 
-/// How much weight lies at each value, from `offset` on.
-struct Histogram {
-  int offset;
-  std::vector<int> weights;
-};
+using Values = std::vector<std::int16_t>;
 
-Histogram histogramOf(const std::vector<std::int16_t>& values, const Runs& runs) {
-  std::int16_t smallest = values.front();
-  std::int16_t largest = values.front();
-  for (const std::int16_t value : values) {  // compilers turn this into vector instructions, not std::minmax_element
-    smallest = value < smallest ? value : smallest;
-    largest = value > largest ? value : largest;
+MAP_MATCHER_VECTOR_CLONES
+Range rangeOf(const std::int16_t* values, std::size_t size) {
+  std::int16_t first = values[0];
+  std::int16_t last = values[0];
+  for (std::size_t k = 0; k < size; ++k) {  // compilers turn this into vector instructions, not std::minmax_element
+    first = values[k] < first ? values[k] : first;
+    last = values[k] > last ? values[k] : last;
   }
-  Histogram histogram{smallest, std::vector<int>(static_cast<std::size_t>(largest - smallest + 1), 0)};
-  auto value = values.begin();
-  for (const WeightedCells::Run& run : runs) {
-    for (const auto end = value + static_cast<std::ptrdiff_t>(run.size); value != end; ++value) {
-      histogram.weights[static_cast<std::size_t>(*value - histogram.offset)] += run.weight;
-    }
-  }
-  return histogram;
+  return {first, last};
 }
 
-/// Translations t at which at least `min_matches` of the values v satisfy low <= v + t <= high, necessary condition:
-/// the min_matches-th largest value reaches `low` and the min_matches-th smallest stays within `high`.
-Range reachableRange(const std::vector<std::int16_t>& values, const Runs& runs, int min_matches, int low, int high) {
-  const Histogram histogram = histogramOf(values, runs);
-  int from_below = 0;
-  for (int count = 0; (count += histogram.weights[static_cast<std::size_t>(from_below)]) < min_matches;) {
-    ++from_below;
+/// Sixteen bits are enough for the count of a part, and twice as many fit into a vector as of 32.
+MAP_MATCHER_VECTOR_CLONES
+std::int32_t countUpTo(const std::int16_t* values, std::size_t size, std::int16_t limit) {
+  constexpr std::size_t kPart = 32768;
+  std::int32_t count = 0;
+  for (std::size_t begin = 0; begin < size; begin += kPart) {
+    const std::size_t end = std::min(begin + kPart, size);
+    std::uint16_t part = 0;
+    for (std::size_t k = begin; k < end; ++k) {
+      part = static_cast<std::uint16_t>(part + (values[k] <= limit ? 1 : 0));
+    }
+    count += part;
   }
-  int from_above = static_cast<int>(histogram.weights.size()) - 1;
-  for (int count = 0; (count += histogram.weights[static_cast<std::size_t>(from_above)]) < min_matches;) {
-    --from_above;
+  return count;
+}
+
+/// Weight of all values up to a limit.
+std::int32_t weightUpTo(const Values& values, const Runs& runs, int limit) {
+  const std::int16_t* value = values.data();
+  std::int32_t weight = 0;
+  for (const WeightedCells::Run& run : runs) {
+    weight += run.weight * countUpTo(value, run.size, static_cast<std::int16_t>(limit));
+    value += run.size;
   }
-  return {low - (from_above + histogram.offset), high - (from_below + histogram.offset)};
+  return weight;
+}
+
+/// The smallest value such that `weight` lies at it and below. Each step of the bisection counts, in vector
+/// instructions; a sort or a histogram takes longer.
+int quantile(const Values& values, const Runs& runs, const Range& range, std::int32_t weight) {
+  int low = range.first;
+  int high = range.last;
+  while (low < high) {
+    const int middle = low + (high - low) / 2;
+    if (weightUpTo(values, runs, middle) >= weight) {
+      high = middle;
+    } else {
+      low = middle + 1;
+    }
+  }
+  return low;
+}
+
+/// Translations t at which at least `min_matches` of the values v satisfy low <= v * grain + t <= high, necessary
+/// condition: the min_matches-th largest value reaches `low` and the min_matches-th smallest stays within `high`.
+Range reachableRange(const Values& values, const Runs& runs, int total, int min_matches, int low, int high, int grain) {
+  const Range range = rangeOf(values.data(), values.size());
+  const int smallest = quantile(values, runs, range, min_matches);
+  const int largest = quantile(values, runs, range, total - min_matches + 1);
+  return {low - largest * grain, high - smallest * grain};
 }
 
 }  // namespace
@@ -60,20 +91,23 @@ SearchWindow intersection(const SearchWindow& a, const SearchWindow& b) {
 
 SearchWindow reachableWindow(const PrecomputedGrids& reference, const RotatedCells& cells, int min_matches) {
   const Runs runs{{cells.x.size(), 1}};
-  const int wanted = std::clamp(min_matches, 1, static_cast<int>(cells.x.size()));
-  const Range x = reachableRange(cells.x, runs, wanted, reference.firstWall().x, reference.lastWall().x);
-  const Range y = reachableRange(cells.y, runs, wanted, reference.firstWall().y, reference.lastWall().y);
+  const auto total = static_cast<int>(cells.x.size());
+  const int wanted = std::clamp(min_matches, 1, total);
+  const Range x = reachableRange(cells.x, runs, total, wanted, reference.firstWall().x, reference.lastWall().x, 1);
+  const Range y = reachableRange(cells.y, runs, total, wanted, reference.firstWall().y, reference.lastWall().y, 1);
   return {{x.first, y.first}, {x.last, y.last}};
 }
 
 SearchWindow reachableWindow(const WidenedGrids& reference, const BlockShape& shape, const WeightedCells& cells,
                              int min_matches) {
-  const int spread = shape.window() - shape.stride();  // of the session cells that one of these stands for
   const int wanted = std::clamp(min_matches, 1, cells.total);
   const Cell& first = reference.firstHit();
   const Cell& last = reference.lastHit();
-  const Range x = reachableRange(cells.cells.x, cells.runs, wanted, first.x - spread, last.x);
-  const Range y = reachableRange(cells.cells.y, cells.runs, wanted, first.y - spread, last.y);
+  const int grain = shape.grain();
+  const Range x =
+      reachableRange(cells.cells.x, cells.runs, cells.total, wanted, first.x - shape.spread(), last.x, grain);
+  const Range y =
+      reachableRange(cells.cells.y, cells.runs, cells.total, wanted, first.y - shape.spread(), last.y, grain);
   return {{x.first, y.first}, {x.last, y.last}};
 }
 

@@ -3,16 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <map>
-#include <numeric>
-#include <random>
 #include <utility>
+
+#include "shuffling.hpp"
 
 namespace map_matcher {
 namespace {
-
-/// Points of a neighbourhood.
-constexpr std::size_t kNeighbourhood = 64;
 
 struct Box {
   Eigen::Vector2d low;
@@ -41,64 +37,63 @@ Points centresOf(const std::vector<Cell>& cells) {
   return points;
 }
 
-/// One point, their mean, for all cells that fall into the same cell of `ratio` times the size.
-Points mergedCentres(const std::vector<Cell>& cells, double ratio) {
-  struct Sum {
-    Eigen::Vector2d points{0.0, 0.0};
-    int count = 0;
-  };
-  std::map<std::pair<int, int>, Sum> larger_cells;
-  for (const Eigen::Vector2d& p : centresOf(cells)) {
-    const Eigen::Vector2d larger = (p / ratio).array().floor();
-    Sum& sum = larger_cells[{static_cast<int>(larger.y()), static_cast<int>(larger.x())}];
-    sum.points += p;
-    ++sum.count;
-  }
-  Points points;
-  for (const auto& [cell, sum] : larger_cells) {
-    points.push_back(sum.points / sum.count);
-  }
-  return points;
-}
-
-/// Fisher-Yates with a fixed seed. std::shuffle may differ between standard libraries.
-template <typename T>
-void shuffle(std::vector<T>& values) {
-  std::mt19937 random;  // its default seed
-  for (std::size_t i = values.size(); i > 1; --i) {
-    std::swap(values[i - 1], values[random() % i]);
-  }
-}
-
 /// Bits of two coordinates in turn, so that numbers near each other are points near each other (Morton order).
-std::uint64_t interleavedBits(const Eigen::Vector2d& point) {
-  constexpr double kOffset = 1 << 24;  // makes every coordinate positive
-  std::uint64_t bits = 0;
-  const auto x = static_cast<std::uint64_t>(std::floor(point.x()) + kOffset);
-  const auto y = static_cast<std::uint64_t>(std::floor(point.y()) + kOffset);
-  for (unsigned bit = 0; bit < 26; ++bit) {
-    bits |= ((x >> bit & 1U) << (2 * bit)) | ((y >> bit & 1U) << (2 * bit + 1));
-  }
-  return bits;
+std::uint64_t interleavedBits(std::uint32_t x, std::uint32_t y) {
+  const auto spread = [](std::uint64_t bits) {
+    bits = (bits | bits << 16U) & 0x0000FFFF0000FFFFU;
+    bits = (bits | bits << 8U) & 0x00FF00FF00FF00FFU;
+    bits = (bits | bits << 4U) & 0x0F0F0F0F0F0F0F0FU;
+    bits = (bits | bits << 2U) & 0x3333333333333333U;
+    return (bits | bits << 1U) & 0x5555555555555555U;
+  };
+  return spread(x) | spread(y) << 1U;
 }
 
-/// Neighbouring points beside each other, for the processor's caches, but the neighbourhoods in shuffled order, so that
-/// a search knows early what a pose is worth.
-Points inShuffledNeighbourhoods(const Points& points) {
-  std::vector<std::pair<std::uint64_t, std::size_t>> order;
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    order.emplace_back(interleavedBits(points[k]), k);
+/// A point's place in the Morton order of the cells of `size`, and its index.
+struct MortonPlace {
+  std::uint64_t bits;
+  std::size_t index;
+
+  bool operator<(const MortonPlace& other) const {
+    return bits < other.bits || (bits == other.bits && index < other.index);
   }
-  std::sort(order.begin(), order.end());
-  std::vector<std::size_t> neighbourhoods((points.size() + kNeighbourhood - 1) / kNeighbourhood);
-  std::iota(neighbourhoods.begin(), neighbourhoods.end(), std::size_t{0});
-  shuffle(neighbourhoods);
-  Points result;
-  for (const std::size_t neighbourhood : neighbourhoods) {
-    const std::size_t begin = neighbourhood * kNeighbourhood;
-    for (std::size_t k = begin; k < std::min(begin + kNeighbourhood, points.size()); ++k) {
-      result.push_back(points[order[k].second]);
+};
+
+std::vector<MortonPlace> inMortonOrder(const Points& points, double size) {
+  constexpr double kOffset = 1 << 24;  // makes every coordinate positive
+  std::vector<MortonPlace> places;
+  places.reserve(points.size());
+  for (const Eigen::Vector2d& p : points) {
+    const Eigen::Vector2d cell = (p / size).array().floor() + kOffset;
+    places.push_back(
+        {interleavedBits(static_cast<std::uint32_t>(cell.x()), static_cast<std::uint32_t>(cell.y())), places.size()});
+  }
+  std::sort(places.begin(), places.end());
+  return places;
+}
+
+/// One point, their mean, for all points that fall into the same cell of `size`.
+Points mergedPoints(const Points& points, double size) {
+  const std::vector<MortonPlace> places = inMortonOrder(points, size);
+  Points merged;
+  for (auto place = places.begin(); place != places.end();) {
+    Eigen::Vector2d sum(0.0, 0.0);
+    int count = 0;
+    for (const std::uint64_t bits = place->bits; place != places.end() && place->bits == bits; ++place) {
+      sum += points[place->index];
+      ++count;
     }
+    merged.push_back(sum / count);
+  }
+  return merged;
+}
+
+/// Neighbouring points beside each other.
+Points sorted(const Points& points) {
+  Points result;
+  result.reserve(points.size());
+  for (const MortonPlace& place : inMortonOrder(points, 1.0)) {
+    result.push_back(points[place.index]);
   }
   return result;
 }
@@ -122,7 +117,10 @@ SessionCells prepareSessionCells(const std::vector<Cell>& cells, double map_reso
   session.centre = centre * map_resolution;
   session.diagonal = size.norm();
   session.longest_side = static_cast<int>(std::ceil(size.maxCoeff()));
-  session.points = merging == CellMerging::kMerge ? mergedCentres(cells, ratio) : centresOf(cells);
+  session.points = centresOf(cells);
+  if (merging == CellMerging::kMerge) {
+    session.points = mergedPoints(session.points, ratio);
+  }
   for (Eigen::Vector2d& p : session.points) {
     p = (p - centre) / ratio;
   }
@@ -130,7 +128,7 @@ SessionCells prepareSessionCells(const std::vector<Cell>& cells, double map_reso
     shuffle(session.points);
     session.points.resize(static_cast<std::size_t>(sample_threshold));
   }
-  session.points = inShuffledNeighbourhoods(session.points);
+  session.points = inShuffledNeighbourhoods(sorted(session.points));
   return session;
 }
 

@@ -9,6 +9,7 @@
 #include "map_matcher/search/branch_and_bound.hpp"
 #include "map_matcher/search/rotations.hpp"
 #include "map_matcher/search/scouting.hpp"
+#include "map_matcher/search/search_frames.hpp"
 #include "map_matcher/search/session_cells.hpp"
 #include "map_matcher/search/stopwatch.hpp"
 
@@ -120,11 +121,8 @@ class TwoStageSearch {
       setStatus(MatchStatus::kTooFewSessionCells, reason.str());
       return false;
     }
-    const double diagonal =
-        prepareSessionCells(session_.cells, session_.resolution, reference_.resolution(), CellMerging::kNone, 1)
-            .diagonal;
-    if (diagonal > kMaxSessionDiagonal) {
-      reason << "the occupied cells of the session map span " << diagonal << " cells, expected at most "
+    if (session_.fine.diagonal > kMaxSessionDiagonal) {
+      reason << "the occupied cells of the session map span " << session_.fine.diagonal << " cells, expected at most "
              << kMaxSessionDiagonal;
       setStatus(MatchStatus::kSessionTooLarge, reason.str());
       return false;
@@ -138,7 +136,7 @@ class TwoStageSearch {
     Stage stage{prepareSessionCells(session_.cells, session_.resolution, reference_.coarseResolution(),
                                     CellMerging::kMerge, options_.hits_sample_threshold),
                 {},
-                SearchProblem{reference_.coarse(), {}, {}, {}, 1, reference_.coarse().topLevel()},
+                SearchProblem{reference_.coarse(), {}, {}, {}, 1, SearchReference::kCoarseRootLevel},
                 {},
                 {}};
     stage.report.name = "coarse";
@@ -163,12 +161,8 @@ class TwoStageSearch {
   // Algorithm 1 again, at the map's own resolution, around the coarse answer (report section 3.2).
   Stage searchFine(const Stage& coarse) {
     Stopwatch watch;
-    Stage stage{prepareSessionCells(session_.cells, session_.resolution, reference_.resolution(), CellMerging::kNone,
-                                    options_.hits_sample_threshold),
-                {},
-                SearchProblem{reference_.fine(), {}, {}, {}, 1, reference_.fine().topLevel()},
-                {},
-                {}};
+    Stage stage{
+        session_.fine, {}, SearchProblem{reference_.fine(), {}, {}, {}, 1, SearchReference::kFineRootLevel}, {}, {}};
     stage.report.name = "fine";
     stage.problem.min_count = minCount(options_.fine.acceptance_ratio, static_cast<int>(stage.session.points.size()));
     const FineWindow window =

@@ -25,6 +25,9 @@ void requireUsable(int width, int height, double tolerance, int top_level) {
   }
 }
 
+/// Logarithm of a power of two.
+constexpr int levelOf(int power) { return power <= 1 ? 0 : 1 + levelOf(power / 2); }
+
 /// Cells around (0, 0) whose centres lie within `tolerance` of its own.
 std::vector<Cell> disc(double tolerance, int reach) {
   const double farthest = (tolerance + kRounding) * (tolerance + kRounding);
@@ -63,14 +66,23 @@ WidenedGrids::WidenedGrids(int width, int height, const std::vector<Cell>& walls
     if (level > 0) {
       pooled.growWindow(BlockShape{level - 1}.window(), BlockShape{level}.window());
     }
-    const int room = reach_ + shift(level);
-    levels_.emplace_back(level, width + room, height + room, pooled, shift(level));
+    const BlockShape shape{level};
+    const int phases = shape.level - levelOf(shape.grain());
+    const int columns = (width + reach_) / shape.grain() + 1 + shift(level);
+    const int rows = (height + reach_) / shape.grain() + 1 + shift(level);
+    levels_.emplace_back(phases, columns, rows, pooled, shift(level), shape.grain());
   }
 }
 
+/// Steps from the first window that holds a hit to the one that begins at the map's corner, or more.
 int WidenedGrids::shift(int level) const {
   const BlockShape shape{level};
-  return reach_ + shape.window() - shape.stride();
+  return (reach_ + shape.spread()) / shape.grain() + 1;
+}
+
+Cell WidenedGrids::position(int level, const Cell& first) const {
+  const int grain = levelOf(BlockShape{level}.grain());
+  return {(first.x >> grain) + shift(level), (first.y >> grain) + shift(level)};
 }
 
 std::size_t WidenedGrids::bytes() const {

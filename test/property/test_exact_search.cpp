@@ -24,7 +24,7 @@ struct RandomProblem {
     const int all = static_cast<int>(std::lround(2.0 * M_PI / step));
     const int count = random() % 2 == 0 ? all : test::randomInt(random, 1, all);
     const double first_angle = random() % 2 == 0 ? 0.0 : test::randomReal(random, -3.0, 3.0);
-    rotations = std::make_unique<RotationBlocks>(session, first_angle, step, count);
+    rotations = std::make_unique<RotationBlocks>(session, first_angle, step, count, BlockShape::kMaxLevel);
   }
 
   void drawSession() {
@@ -116,23 +116,23 @@ TEST(ExactSearch, NoPoseOfANodeBeatsItsBound) {
     const WidenedGrids grids(random.width, random.height, random.walls, random.tolerance, BlockShape::kMaxLevel);
     const test::HitMap hits(random.width, random.height, random.walls, random.tolerance);
     const ScoreKernel kernel;
-    CellMerger merger;
     for (int level = 0; level <= BlockShape::kMaxLevel; ++level) {
       const BlockShape shape{level};
       const int blocks = (random.rotations->count() + shape.stride() - 1) / shape.stride();
       const int rotation = shape.stride() * test::randomInt(random.random, 0, blocks - 1);
-      const Cell first{test::randomInt(random.random, -80, 80), test::randomInt(random.random, -80, 80)};
-      const int shift = grids.shift(level);
-      TileCounts bounds;
-      kernel.scoreTile(TileShape::kNarrow, grids.level(level), random.rotations->cells(shape, rotation, merger),
-                       {first.x + shift, first.y + shift}, 0, bounds);
+      const int grain = shape.grain();
+      const Cell first{test::randomInt(random.random, -80, 80) * grain,
+                       test::randomInt(random.random, -80, 80) * grain};
+      std::vector<TileScore> bounds;
+      kernel.scoreTile(grids.level(level), random.rotations->cells(shape, rotation), grids.position(level, first), {},
+                       0, bounds);
       for (int trial = 0; trial < 40; ++trial) {
         const int turn = test::randomInt(random.random, 0, shape.stride() - 1);
         const RotatedCells cells = rotate(random.session, random.rotations->angle(rotation + turn));
-        const int dx = test::randomInt(random.random, 0, shape.stride() * 16 - 1);
-        const int dy = test::randomInt(random.random, 0, shape.stride() * 12 - 1);
-        const auto node = static_cast<std::size_t>(dy / shape.stride() * 16 + dx / shape.stride());
-        ASSERT_LE(hits.count(cells, {first.x + dx, first.y + dy}), bounds[node]) << "level " << level;
+        const int dx = test::randomInt(random.random, 0, shape.stride() * kTileColumns - 1);
+        const int dy = test::randomInt(random.random, 0, shape.stride() * kTileRows - 1);
+        const auto node = static_cast<std::size_t>(dx / shape.stride() * kTileRows + dy / shape.stride());
+        ASSERT_LE(hits.count(cells, {first.x + dx, first.y + dy}), bounds[node].count) << "level " << level;
       }
     }
   }

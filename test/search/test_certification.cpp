@@ -105,7 +105,7 @@ TEST(Certification, ReplacesAWrongAnswer) {
   const Scene scene(2);
   const MatchOptions options;
   const SearchReference reference(scene.reference, kResolution, options);
-  const SearchSession session = searchSession(scene.session[0], options);
+  const SearchSession session = searchSession(scene.session[0], reference.resolution(), options);
   MatchResult wrong = twoStageSearch(reference, session, options, {}, {});
   wrong.T_reference_session = Rigid2{3.0, 1.0, 0.0} * wrong.T_reference_session;
 
@@ -121,7 +121,7 @@ TEST(Certification, FindsThePlaceWhenTheTwoStagesFindNone) {
   const Scene scene(3);
   const MatchOptions options;
   const SearchReference reference(scene.reference, kResolution, options);
-  const SearchSession session = searchSession(scene.session[0], options);
+  const SearchSession session = searchSession(scene.session[0], reference.resolution(), options);
   MatchResult nothing;
   nothing.status = MatchStatus::kBelowAcceptanceRatio;
 

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "map_matcher/search/distance_field.hpp"
 
@@ -8,16 +9,16 @@ namespace map_matcher {
 namespace {
 
 /// A wall along y in the column x = 20 of a map of 40 x 40 cells.
-PrecomputedGrids straightWall() {
+std::vector<Cell> straightWall() {
   std::vector<Cell> walls;
   for (int y = 0; y < 40; ++y) {
     walls.push_back({20, y});
   }
-  return {40, 40, walls, 0};
+  return walls;
 }
 
 TEST(DistanceField, GradientIsTheWayFromTheMiddleOfTheWall) {
-  const DistanceField field(straightWall(), {0, 0}, {39, 39}, 8.0);
+  const DistanceField field(40, 40, straightWall(), 8.0);
 
   for (const double x : {17.0, 19.2, 20.5, 20.9, 23.4}) {
     const DistanceField::Sample sample = field.at({x, 18.3});
@@ -29,8 +30,8 @@ TEST(DistanceField, GradientIsTheWayFromTheMiddleOfTheWall) {
   }
 }
 
-TEST(DistanceField, IsFlatFarFromWallsAndBeyondItsBox) {
-  const DistanceField field(straightWall(), {0, 0}, {39, 39}, 6.0);
+TEST(DistanceField, IsFlatFarFromWallsAndBeyondTheMap) {
+  const DistanceField field(40, 40, straightWall(), 6.0);
 
   for (const Eigen::Vector2d& far : {Eigen::Vector2d(5.0, 20.0), Eigen::Vector2d(-3.0, 20.0),
                                      Eigen::Vector2d(1e9, 20.0), Eigen::Vector2d(20.5, std::nan(""))}) {
@@ -40,8 +41,7 @@ TEST(DistanceField, IsFlatFarFromWallsAndBeyondItsBox) {
 }
 
 TEST(DistanceField, IsRoundAroundASingleWallCell) {
-  const PrecomputedGrids walls(40, 40, {{20, 20}}, 0);
-  const DistanceField field(walls, {0, 0}, {39, 39}, 12.0);
+  const DistanceField field(40, 40, {{20, 20}}, 12.0);
 
   for (double angle = 0.0; angle < 6.0; angle += 0.5) {
     const Eigen::Vector2d way(6.0 * std::cos(angle), 6.0 * std::sin(angle));

@@ -61,11 +61,15 @@ double gaussian(std::mt19937& random) {
   return std::sqrt(-2.0 * std::log(u)) * std::cos(2.0 * M_PI * test::randomReal(random, 0.0, 1.0));
 }
 
+/// What a refinement looks at of a reference map with these walls.
+DistanceField fieldOf(const std::vector<Segment>& segments) {
+  const int size = static_cast<int>(kSize / kResolution);
+  return {size, size, draw(pointsOn(segments)), farthestThatMatters(0.05, kResolution)};
+}
+
 /// A reference map, a noisy session map of it, and the session's true place.
 struct Drive {
-  Drive(std::mt19937& random, const std::vector<Segment>& segments, double sigma)
-      : reference(static_cast<int>(kSize / kResolution), static_cast<int>(kSize / kResolution),
-                  draw(pointsOn(segments)), 0) {
+  Drive(std::mt19937& random, const std::vector<Segment>& segments, double sigma) : reference(fieldOf(segments)) {
     const Rigid2 T_grids{test::randomReal(random, -3.0, 3.0), test::randomReal(random, -3.0, 3.0),
                          test::randomReal(random, -3.0, 3.0)};
     std::vector<Eigen::Vector2d> points;
@@ -89,7 +93,7 @@ struct Drive {
     return {offset.x(), offset.y(), normalizeAngle(pose.angle - truth.angle)};
   }
 
-  PrecomputedGrids reference;
+  DistanceField reference;
   SessionCells session;
   CentrePose truth;
 };
@@ -148,7 +152,7 @@ TEST(PoseRefiner, IsSureAcrossACorridorButNotAlongIt) {
                 0.02);
     const std::vector<Segment> corridor{{middle + across - 6.0 * along, middle + across + 6.0 * along},
                                         {middle - across - 6.0 * along, middle - across + 6.0 * along}};
-    scene.reference = {scene.reference.width(), scene.reference.height(), draw(pointsOn(corridor)), 0};
+    scene.reference = fieldOf(corridor);
 
     const RefinedPose refined = refine(scene.reference, scene.session, scene.searched(random), 0.05);
 
@@ -173,7 +177,7 @@ TEST(PoseRefiner, LeavesAPoseFarFromAllWallsAsItIs) {
 
 TEST(PoseRefiner, TakesASingleCell) {
   std::mt19937 random(4);
-  const PrecomputedGrids reference(10, 10, {{5, 5}}, 0);
+  const DistanceField reference(10, 10, {{5, 5}}, farthestThatMatters(0.0, kResolution));
   const SessionCells session = prepareSessionCells({{0, 0}}, kResolution, kResolution, CellMerging::kNone, 0);
 
   const RefinedPose refined = refine(reference, session, {0.1, {0.28, 0.28}}, 0.0);

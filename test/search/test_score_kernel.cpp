@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <iterator>
 #include <random>
+#include <vector>
 
 #include "map_matcher/search/score_kernel.hpp"
 #include "support/random_maps.hpp"
@@ -28,62 +31,91 @@ struct Problem {
 TEST(ScoreKernel, CountsEveryTranslationOfATileAsOneByOneInEveryVariant) {
   for (const KernelVariant variant : availableKernelVariants()) {
     const ScoreKernel kernel(variant);
-    for (std::uint32_t seed = 0; seed < 60; ++seed) {
-      const Problem problem(seed);
+    for (std::uint32_t seed = 0; seed < 100; ++seed) {
+      SCOPED_TRACE(testing::Message() << "variant " << static_cast<int>(variant) << " seed " << seed);
+      Problem problem(seed);
       const PooledLevel& level = problem.grids[0].level(static_cast<int>(seed % 4));
-      for (const TileShape shape : {TileShape::kWide, TileShape::kNarrow}) {
-        SCOPED_TRACE(testing::Message() << "variant " << static_cast<int>(variant) << " seed " << seed);
-        TileCounts counts;
+      const TileSize size{test::randomInt(problem.random, 1, kTileColumns),
+                          test::randomInt(problem.random, 1, kTileRows)};
+      std::vector<TileScore> scores;
 
-        ASSERT_TRUE(kernel.scoreTile(shape, level, problem.cells, problem.first, 0, counts));
+      kernel.scoreTile(level, problem.cells, problem.first, size, 0, scores);
 
-        for (int row = 0; row < tileRows(shape); ++row) {
-          for (int column = 0; column < tileColumns(shape); ++column) {
-            const Cell translation{problem.first.x + column * level.stride(), problem.first.y + row * level.stride()};
-            ASSERT_EQ(counts[static_cast<std::size_t>(row * tileColumns(shape) + column)],
-                      test::countMatches(level, problem.cells, translation))
-                << "column " << column << " row " << row;
-          }
+      ASSERT_EQ(scores.size(), static_cast<std::size_t>(size.columns * size.rows));
+      std::size_t k = 0;
+      for (int column = 0; column < size.columns; ++column) {
+        for (int row = 0; row < size.rows; ++row, ++k) {
+          const Cell translation{problem.first.x + column * level.stride(), problem.first.y + row * level.stride()};
+          ASSERT_EQ(scores[k].column, column);
+          ASSERT_EQ(scores[k].row, row);
+          ASSERT_EQ(scores[k].count, test::countMatches(level, problem.cells, translation))
+              << "column " << column << " row " << row;
         }
       }
     }
   }
 }
 
-TEST(ScoreKernel, CountsTheFourChildrenAsOneByOneInEveryVariant) {
+TEST(ScoreKernel, CountsWeightedCellsAsOftenAsTheyWeighInEveryVariant) {
   for (const KernelVariant variant : availableKernelVariants()) {
     const ScoreKernel kernel(variant);
-    for (std::uint32_t seed = 0; seed < 300; ++seed) {
+    for (std::uint32_t seed = 0; seed < 60; ++seed) {
       SCOPED_TRACE(testing::Message() << "variant " << static_cast<int>(variant) << " seed " << seed);
-      const Problem problem(seed);
+      Problem problem(seed);
       const PooledLevel& level = problem.grids[0].level(static_cast<int>(seed % 4));
-      std::array<std::int32_t, 4> counts;
+      WeightedCells weighted;
+      RotatedCells repeated;  // each as often as it weighs
+      for (std::int32_t weight = 1024; weight > 0; weight /= 2) {
+        const int size = test::randomInt(problem.random, 0, 300 / weight);
+        const RotatedCells cells = test::randomRotatedCells(problem.random, 150, size);
+        for (int k = 0; k < size; ++k) {
+          weighted.cells.x.push_back(cells.x[static_cast<std::size_t>(k)]);
+          weighted.cells.y.push_back(cells.y[static_cast<std::size_t>(k)]);
+          repeated.x.insert(repeated.x.end(), static_cast<std::size_t>(weight), weighted.cells.x.back());
+          repeated.y.insert(repeated.y.end(), static_cast<std::size_t>(weight), weighted.cells.y.back());
+        }
+        weighted.runs.push_back({static_cast<std::size_t>(size), weight});
+        weighted.total += size * weight;
+      }
+      std::vector<TileScore> scores;
 
-      ASSERT_TRUE(kernel.scoreChildren(level, problem.cells, problem.first, 0, counts));
+      kernel.scoreTile(level, weighted, problem.first, {}, 1, scores);
 
-      for (int k = 0; k < 4; ++k) {
-        const Cell translation{problem.first.x + (k & 1) * level.stride(), problem.first.y + (k >> 1) * level.stride()};
-        ASSERT_EQ(counts[static_cast<std::size_t>(k)], test::countMatches(level, problem.cells, translation));
+      for (const TileScore& score : scores) {
+        const Cell translation{problem.first.x + score.column * level.stride(),
+                               problem.first.y + score.row * level.stride()};
+        ASSERT_EQ(score.count, test::countMatches(level, repeated, translation));
       }
     }
   }
 }
 
-TEST(ScoreKernel, GivesATileUpOnlyWhenNoneOfItsTranslationsReachesTheMinimum) {
+TEST(ScoreKernel, LeavesOutExactlyTheTranslationsThatDoNotReachTheMinimum) {
   const ScoreKernel kernel;
-  int given_up = 0;
   for (std::uint32_t seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     const Problem problem(seed);
     const PooledLevel& level = problem.grids[0].level(1);
-    TileCounts counts;
-    kernel.scoreTile(TileShape::kWide, level, problem.cells, problem.first, 0, counts);
-    const std::int32_t best = *std::max_element(counts.begin(), counts.end());
+    std::vector<TileScore> all;
+    kernel.scoreTile(level, problem.cells, problem.first, {}, 0, all);
+    std::int32_t best = 0;
+    for (const TileScore& score : all) {
+      best = std::max(best, score.count);
+    }
+    for (const std::int32_t min_count : {best / 2, best, best + 1, best + 1000000}) {
+      std::vector<TileScore> expected;
+      std::copy_if(all.begin(), all.end(), std::back_inserter(expected),
+                   [min_count](const TileScore& score) { return score.count >= min_count; });
+      std::vector<TileScore> scores;
 
-    EXPECT_TRUE(kernel.scoreTile(TileShape::kWide, level, problem.cells, problem.first, best, counts));
-    given_up += kernel.scoreTile(TileShape::kWide, level, problem.cells, problem.first, best + 1, counts) ? 0 : 1;
+      kernel.scoreTile(level, problem.cells, problem.first, {}, min_count, scores);
+
+      ASSERT_EQ(scores.size(), expected.size()) << "min_count " << min_count;
+      for (std::size_t k = 0; k < scores.size(); ++k) {
+        EXPECT_EQ(scores[k].count, expected[k].count);
+      }
+    }
   }
-  EXPECT_EQ(given_up, 60);
 }
 
 }  // namespace

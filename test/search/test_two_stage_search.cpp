@@ -69,7 +69,8 @@ TEST(TwoStageSearch, FineStageIsAsGoodAsASearchOfAMuchLargerWindow) {
     const MatchOptions options;
     const SearchReference reference(map, 0.05, options);
 
-    const MatchResult result = twoStageSearch(reference, searchSession(session, options), options, {}, {});
+    const MatchResult result =
+        twoStageSearch(reference, searchSession(session, reference.resolution(), options), options, {}, {});
 
     ASSERT_TRUE(result.matched());
     // All translations of the whole map, within three coarse steps of the answer's rotation.

@@ -33,14 +33,15 @@ TEST(WidenedGrids, AreOneWhereAHitLiesInTheWindow) {
     const double tolerance = 0.5 * test::randomInt(random, 0, 6);
     const test::HitMap hits(width, height, walls, tolerance);
 
-    const WidenedGrids grids(width, height, walls, tolerance, 4);
+    const WidenedGrids grids(width, height, walls, tolerance, BlockShape::kMaxLevel);
 
     for (int trial = 0; trial < 500; ++trial) {
-      const int level = trial % 5;
-      const Cell first{test::randomInt(random, -70, 70), test::randomInt(random, -70, 70)};
-      const int shift = grids.shift(level);
-      ASSERT_EQ(grids.level(level).at(first.x + shift, first.y + shift),
-                hitWithin(hits, first, BlockShape{level}.window()))
+      const int level = trial % (BlockShape::kMaxLevel + 1);
+      const int grain = BlockShape{level}.grain();
+      const Cell first{test::randomInt(random, -70, 70) * grain, test::randomInt(random, -70, 70) * grain};
+      const Cell position = grids.position(level, first);
+      ASSERT_EQ(grids.level(level).at(position.x, position.y),
+                hitWithin(hits, first, BlockShape{level}.window()) ? 1 : 0)
           << "level " << level << " at " << first.x << " " << first.y << ", tolerance " << tolerance;
     }
   }
@@ -56,8 +57,9 @@ TEST(WidenedGrids, BoxHoldsAllHits) {
 TEST(WidenedGrids, AcceptAToleranceLargerThanTheMap) {
   const WidenedGrids grids(4, 3, {{1, 1}}, 1e9, 3);
 
-  EXPECT_EQ(grids.level(0).at(1 + grids.shift(0), 1 + grids.shift(0)), 1);
-  EXPECT_EQ(grids.level(0).at(4 + grids.shift(0), 1 + grids.shift(0)), 1);
+  const Cell wall = grids.position(0, {1, 1});
+  EXPECT_EQ(grids.level(0).at(wall.x, wall.y), 1);
+  EXPECT_EQ(grids.level(0).at(wall.x + 3, wall.y), 1);
 }
 
 TEST(WidenedGrids, RefuseWhatTheyCannotPoolWithAReason) {

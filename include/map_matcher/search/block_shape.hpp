@@ -5,7 +5,7 @@
 namespace map_matcher {
 
 /// A node of a level stands for 2^level rotations, beginning with a multiple of 2^level, and for 2^level x 2^level
-/// translations. Its session cells are rotated by the block's middle angle and put together in squares, so that one of
+/// translations. Its session cells are put together in clusters and rotated by the block's middle angle, so that one of
 /// them may lie, at any pose of the node, anywhere in a window of the reference map; a wall in the window is a match as
 /// far as the upper bound goes. On level 0 a node is a pose, and the window one cell.
 struct BlockShape {
@@ -20,15 +20,19 @@ struct BlockShape {
   /// rotation_downsampling 1 moves it at most half a cell.
   constexpr double halfArc() const { return (stride() - 1) / 4.0; }
 
-  /// Cells by which flooring can tell the ends of the arc apart: ceil(2 halfArc()).
-  constexpr int arc() const { return stride() / 2; }
+  /// Room for a cluster on the arc [cells]: the arc's both ends, rounded up, and on high levels some more. Larger
+  /// clusters are fewer, but widen the window.
+  constexpr int room() const { return level == 0 ? 0 : stride() / 2 + (level < 3 ? 0 : stride() / 8 - 1); }
 
-  /// Edge of the squares in which session cells are put together [cells]. Larger ones are fewer, but widen the window.
-  constexpr int merged() const { return level < 3 ? 1 : stride() / 4; }
+  /// Positions of nodes, of the cells that stand for others and hence of windows are multiples of this [cells]: a high
+  /// level needs no more, and a small part of the memory.
+  constexpr int grain() const { return level < 3 ? 1 : stride() / 4; }
 
-  /// Edge of the window [cells]. A session cell at c stands for cells in [c, c + window() - stride()], and a
-  /// translation moves them by up to stride() - 1 more.
-  constexpr int window() const { return stride() + arc() + merged() - 1; }
+  /// How far a session cell may lie right of and above the cell that stands for it, at most [cells].
+  constexpr int spread() const { return room() + grain() - 1; }
+
+  /// Edge of the window [cells]: a translation moves a cell by up to stride() - 1 more.
+  constexpr int window() const { return stride() + spread(); }
 };
 
 }  // namespace map_matcher

@@ -5,8 +5,8 @@
 #include "map_matcher/search/match_options.hpp"
 #include "map_matcher/search/match_prior.hpp"
 #include "map_matcher/search/match_result.hpp"
-#include "map_matcher/search/search_frames.hpp"
 #include "map_matcher/search/search_reference.hpp"
+#include "map_matcher/search/search_session.hpp"
 #include "map_matcher/search/stop_token.hpp"
 
 namespace map_matcher {

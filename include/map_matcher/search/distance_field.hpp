@@ -3,13 +3,14 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <vector>
 
-#include "map_matcher/search/precomputed_grids.hpp"
+#include "map_matcher/grid/grid_geometry.hpp"
 
 namespace map_matcher {
 
-/// Half the squared distance to the nearest wall in a box of cells, smoothed over about a cell so that the steps of a
+/// Half the squared distance to the nearest wall of a map, smoothed over about a cell so that the steps of a
 /// slanted wall even out. Unlike the distance it has no crease at the wall: its gradient is the way from the middle of
 /// the wall, its curvature 1 across the wall and 0 along it. Positions are in cells of the grid, with the centre of
 /// cell (0, 0) at (0.5, 0.5). Immutable, hence thread-safe.
@@ -21,21 +22,23 @@ class DistanceField {
     Eigen::Matrix2d curvature = Eigen::Matrix2d::Zero();  ///< Symmetric; as interpolated, it may be indefinite.
   };
 
-  /// Field of the walls in the cells first ... last; walls beyond them do not count. Distances beyond `farthest`
-  /// [cells] are all the same.
-  DistanceField(const PrecomputedGrids& walls, const Cell& first, const Cell& last, double farthest);
+  /// Field of the walls of a map of width x height cells; walls beyond them do not count. Distances beyond `farthest`
+  /// [cells, at most 150 count] are all the same.
+  DistanceField(int width, int height, const std::vector<Cell>& walls, double farthest);
 
-  /// Sample at a position [cells], interpolated between cells; zero, as far away from all walls, beyond the box.
+  std::size_t bytes() const { return values_.size() * sizeof(float); }  ///< Memory taken [bytes].
+
+  /// Sample at a position [cells], interpolated between cells; zero, as far away from all walls, far beyond the map.
   Sample at(const Eigen::Vector2d& position) const;
 
  private:
   using Derivatives = Eigen::Matrix<double, 5, 1>;  // along x, y, xx, xy, yy
 
-  /// Derivatives at the centre of a cell of the box that is not on its border.
+  /// Derivatives at the centre of a cell of the field that is not on its border.
   Derivatives derivativesAt(int column, int row) const;
 
-  Cell first_;
-  int width_;
+  int border_;  // of the field around the map [cells]
+  int width_;   // with border [cells]
   int height_;
   std::vector<float> values_;  // at the centres of the cells, row by row
 };

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "map_matcher/search/precomputed_grids.hpp"
+#include "map_matcher/search/distance_field.hpp"
 #include "map_matcher/search/search_frames.hpp"
 #include "map_matcher/search/session_cells.hpp"
 
@@ -23,13 +23,15 @@ struct RefinedPose {
 /// arc of a cell at the mean distance from the centre.
 constexpr double kPriorDeviation = 1.0;
 
+/// The distance beyond which a wall does not matter to a refinement [cells of `resolution` m].
+double farthestThatMatters(double tolerance, double resolution);
+
 /// Moves a pose to where the session cells lie best on the middle of the walls, by Gauss-Newton steps on a smooth field
 /// of the distance to them. Cells farther than about `tolerance` [m] from a wall count little (weights of Geman and
-/// McClure). A pose is moved by three times the tolerance at most, and not in a
-/// direction that the walls do not determine. The covariance is
-/// that of least squares, with the variance of the cells' distances, for as many independent cells as there are metres
-/// of wall: cells beside each other err together, since both maps were drawn in whole cells.
-RefinedPose refine(const PrecomputedGrids& reference, const SessionCells& session, const CentrePose& pose,
-                   double tolerance);
+/// McClure). A pose is moved by three times the tolerance at most, and not in a direction that the walls do not
+/// determine. `walls` tells distances up to farthestThatMatters(). The covariance is that of least squares, with the
+/// variance of the cells' distances, for as many independent cells as there are metres of wall: cells beside each other
+/// err together, since both maps were drawn in whole cells.
+RefinedPose refine(const DistanceField& walls, const SessionCells& session, const CentrePose& pose, double tolerance);
 
 }  // namespace map_matcher

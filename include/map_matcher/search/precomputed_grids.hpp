@@ -10,10 +10,12 @@
 
 namespace map_matcher {
 
-/// Most columns of translations that the scoring kernel counts at once.
-constexpr int kMaxTileColumns = 64;
-/// Most rows of translations that the scoring kernel counts at once.
-constexpr int kMaxTileRows = 12;
+/// A tile: the translations that the scoring kernel counts at once, 64 columns of 8 rows.
+constexpr int kTileColumns = 64;
+constexpr int kTileRows = 8;
+
+/// A column of a tile, a bit for each row, the lowest for the first.
+using TileWord = std::uint8_t;
 
 /// Cells of a map as bytes, 1 for a wall, row-major, with room around it.
 class WallArray {
@@ -28,10 +30,12 @@ class WallArray {
   /// Values whose window would leave the array keep a smaller one; they lie in the margin beyond all walls.
   void growWindow(int old_window, int window);
 
-  int margin() const { return margin_; }  ///< [cells]
-
   /// The row of values from x = 0 on; negative x reach into the margin.
   const std::uint8_t* row(int y) const { return values_.data() + index(0, y); }
+
+  int margin() const { return margin_; }                                     ///< [cells]
+  int width() const { return static_cast<int>(row_length_) - 2 * margin_; }  ///< Without margin [cells].
+  int height() const { return static_cast<int>(num_rows_) - 2 * margin_; }   ///< Without margin [cells].
 
  private:
   std::ptrdiff_t index(int x, int y) const {
@@ -50,47 +54,50 @@ class WallArray {
 /// a true upper bound for all translations it stands for.
 ///
 /// The values are stored split into 2^level x 2^level phases. A phase holds every 2^level-th column of every 2^level-th
-/// row, so that translations which are neighbours on the stride of the level are neighbours in memory and a session
-/// cell adds a row of bytes to a row of counters. Around each phase lies a border of zeros as wide as a tile; positions
-/// beyond it are clamped into it, so that a tile needs no range check.
+/// row, so that translations which are neighbours on the stride of the level are neighbours in memory. Each position
+/// has a word with the values of kTileRows rows, its own and those above, so that a tile is 64 bytes in a row. Around
+/// each phase lies a border of zeros as wide as a tile; positions beyond it are clamped into it, so that a tile needs
+/// no range check.
 class PooledLevel {
  public:
-  /// Takes the values for x in [1 - 2^level, width), y alike, from `pooled`, whose cell (-shift, -shift) becomes (0,
-  /// 0). `pooled` has a margin of at least 2^level - 1 + shift. Throws std::invalid_argument for a level of more than 2
-  /// GiB.
-  PooledLevel(int level, int width, int height, const WallArray& pooled, int shift = 0);
+  /// Takes the values for x in [1 - 2^level, width), y alike, from `pooled`: every grain-th one along both axes, of
+  /// which number (-shift, -shift) becomes (0, 0); those beyond its margin are zero. Throws std::invalid_argument for a
+  /// level of more than 4 GiB.
+  PooledLevel(int level, int width, int height, const WallArray& pooled, int shift = 0, int grain = 1);
 
   int level() const { return level_; }
   int stride() const { return 1 << level_; }  ///< Translations a node of this level stands for, along an axis [cells].
 
   /// Value at a position [cells], which may lie outside the map.
-  std::uint8_t at(int x, int y) const { return values_[address(x, y)]; }
+  int at(int x, int y) const { return words_[address(x, y)] & 1U; }
 
-  /// Where the tile begins whose first value is that of a position. The following kMaxTileColumns - 1 bytes are the
-  /// values one stride further along x each; `rowStride()` bytes on is the next row, one stride along y, kMaxTileRows
-  /// in all.
+  /// Index of the first of the kTileColumns words of a tile: its first value is that of the position, further ones lie
+  /// one stride further along x or y each.
   std::uint32_t address(int x, int y) const {
     const int mask = (1 << level_) - 1;
-    const int i = clampTo(x >> level_, -kMaxTileColumns - 1, columns_);
-    const int j = clampTo(y >> level_, -kMaxTileRows - 1, rows_);
+    const int i = clampTo(x >> level_, -kTileColumns - 1, columns_);
+    const int j = clampTo(y >> level_, -kTileRows - 1, rows_);
     const int phase = ((y & mask) << level_) + (x & mask);
-    return static_cast<std::uint32_t>(origin_ + phase * phase_size_ + j * row_stride_ + i);
+    return static_cast<std::uint32_t>(origin_ + phase * phase_size_ + j * row_length_ + i);
   }
 
-  const std::uint8_t* data() const { return values_.data(); }
-  std::ptrdiff_t rowStride() const { return row_stride_; }  ///< [bytes]
-  std::size_t bytes() const { return values_.size(); }      ///< Memory taken [bytes].
+  /// Index of the words of a tile without walls.
+  static constexpr std::uint32_t emptyAddress() { return 0; }
+
+  const TileWord* words() const { return words_.data(); }
+  std::size_t bytes() const { return words_.size() * sizeof(TileWord); }  ///< Memory taken [bytes].
 
  private:
   static int clampTo(int value, int low, int high) { return value < low ? low : (value > high ? high : value); }
+  void spreadRows(std::ptrdiff_t phase);
 
   int level_;
   int columns_;     // of a phase, without its border
   int rows_;        // of a phase, without its border
-  int row_stride_;  // [bytes]
-  int phase_size_;  // [bytes]
+  int row_length_;  // [words]
+  int phase_size_;  // [words]
   int origin_;      // address of (0, 0) in the first phase
-  std::vector<std::uint8_t> values_;
+  std::vector<TileWord> words_;
 };
 
 /// All levels of a reference map of one resolution. Immutable, hence thread-safe.
@@ -98,7 +105,7 @@ class PrecomputedGrids {
  public:
   /// Pools the walls of a grid of width x height cells for the levels 0 to `top_level`. Walls outside the grid are
   /// ignored. Throws std::invalid_argument for a size below 1 x 1, a level outside [0, 15], or a map whose levels would
-  /// take more than 2 GiB each.
+  /// take more than 4 GiB each.
   PrecomputedGrids(int width, int height, const std::vector<Cell>& walls, int top_level);
 
   int width() const { return width_; }    ///< [cells]

@@ -2,9 +2,8 @@
 /// Counting matched cells for many translations at once.
 #pragma once
 
-#include <array>
+#include <algorithm>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "map_matcher/search/precomputed_grids.hpp"
@@ -13,17 +12,25 @@
 
 namespace map_matcher {
 
-/// Shape of a tile: how many translations are counted at once.
-enum class TileShape {
-  kWide,    ///< 64 columns of 8 rows, for windows as large as a building.
-  kNarrow,  ///< 16 columns of 12 rows, for the small window of the fine stage.
+/// Part of a tile that is looked at: columns and rows from its first translation on, at least 1 and at most
+/// kTileColumns and kTileRows.
+struct TileSize {
+  int columns = kTileColumns;
+  int rows = kTileRows;
 };
 
-constexpr int tileColumns(TileShape shape) { return shape == TileShape::kWide ? kMaxTileColumns : 16; }
-constexpr int tileRows(TileShape shape) { return shape == TileShape::kWide ? 8 : kMaxTileRows; }
+/// The part of a tile that does not go beyond `last` [cells], for translations `stride` apart from `first` on.
+inline TileSize tileWithin(const Cell& last, const Cell& first, int stride) {
+  return {std::min(kTileColumns, (last.x - first.x) / stride + 1),
+          std::min(kTileRows, (last.y - first.y) / stride + 1)};
+}
 
-/// Matched cells for the translations of a tile on the stride of a level, row by row.
-using TileCounts = std::array<std::int32_t, 512>;
+/// A translation of a tile and its matched cells.
+struct TileScore {
+  int column = 0;
+  int row = 0;
+  std::int32_t count = 0;
+};
 
 /// Instruction sets the tile kernel is built for.
 enum class KernelVariant {
@@ -41,20 +48,14 @@ class ScoreKernel {
   explicit ScoreKernel(KernelVariant variant = availableKernelVariants().back());
 
   /// For each translation (first.x + column * stride, first.y + row * stride) of a tile: how many of the cells, moved
-  /// by it, have value 1 in the level. Returns false, with the counts undefined, as soon as no translation of the tile
-  /// can reach `min_count` any more.
-  bool scoreTile(TileShape shape, const PooledLevel& level, const RotatedCells& cells, const Cell& first,
-                 std::int32_t min_count, TileCounts& counts) const;
+  /// by it, have value 1 in the level. `scores` becomes those that reach `min_count`, column by column. Gives up as
+  /// soon as none of them can.
+  void scoreTile(const PooledLevel& level, const RotatedCells& cells, const Cell& first, const TileSize& size,
+                 std::int32_t min_count, std::vector<TileScore>& scores) const;
 
-  /// The same for the four translations first + {0, stride} x {0, stride}: (0, 0), (1, 0), (0, 1), (1, 1).
-  bool scoreChildren(const PooledLevel& level, const RotatedCells& cells, const Cell& first, std::int32_t min_count,
-                     std::array<std::int32_t, 4>& counts) const;
-
-  /// The same two for cells of which some count more than once.
-  bool scoreTile(TileShape shape, const PooledLevel& level, const WeightedCells& cells, const Cell& first,
-                 std::int32_t min_count, TileCounts& counts) const;
-  bool scoreChildren(const PooledLevel& level, const WeightedCells& cells, const Cell& first, std::int32_t min_count,
-                     std::array<std::int32_t, 4>& counts) const;
+  /// The same for cells of which some count more than once.
+  void scoreTile(const PooledLevel& level, const WeightedCells& cells, const Cell& first, const TileSize& size,
+                 std::int32_t min_count, std::vector<TileScore>& scores) const;
 
   struct Functions;
 

@@ -4,24 +4,12 @@
 
 #include <Eigen/Core>
 #include <optional>
-#include <vector>
 
-#include "map_matcher/grid/occupancy_grid.hpp"
 #include "map_matcher/grid/rigid2.hpp"
-#include "map_matcher/search/match_options.hpp"
 #include "map_matcher/search/match_prior.hpp"
 #include "map_matcher/search/search_window.hpp"
 
 namespace map_matcher {
-
-/// What the searches look at of a session map.
-struct SearchSession {
-  std::vector<Cell> cells;   ///< The occupied ones.
-  double resolution = 0.05;  ///< Edge length of a cell [m].
-  Rigid2 T_session_grid;     ///< Pose of the grid's corner in the session map frame, with session_map_cell_offset.
-};
-
-SearchSession searchSession(const OccupancyGrid& session, const MatchOptions& options);
 
 /// Pose of the session cells' centre in the searched reference grid.
 struct CentrePose {

@@ -5,20 +5,22 @@
 #include <optional>
 
 #include "map_matcher/grid/occupancy_grid.hpp"
+#include "map_matcher/search/distance_field.hpp"
 #include "map_matcher/search/match_options.hpp"
 #include "map_matcher/search/precomputed_grids.hpp"
 #include "map_matcher/search/widened_grids.hpp"
 
 namespace map_matcher {
 
-/// The reference map at the resolutions of both stages, and for the exact search if options.search says so. Immutable,
-/// hence thread-safe.
+/// The reference map at the resolutions of both stages, and for the exact search if options.search says so; built on
+/// several threads. Immutable, hence thread-safe.
 class SearchReference {
  public:
   /// Highest levels of the initial nodes. The report starts at H of eq. 4.1, where a node is as wide as the session
   /// map; nodes so wide match nearly every cell and none is pruned, so that starting here gives the same answer sooner.
   static constexpr int kCoarseRootLevel = 2;
-  static constexpr int kFineRootLevel = 2;
+  static constexpr int kCoarseTopLevel = 4;  ///< Above, for passing over empty parts of large maps.
+  static constexpr int kFineRootLevel = 0;
 
   /// Pools `reference` at `resolution` [m] (its own, or a coarser one when the session map is coarser) for the fine
   /// stage, and at the halving of it that is nearest to options.coarse_resolution for the coarse stage.
@@ -26,10 +28,11 @@ class SearchReference {
 
   double resolution() const { return fine_resolution_; }          ///< Of the fine stage [m].
   double coarseResolution() const { return coarse_resolution_; }  ///< Of the coarse stage [m].
-  const PrecomputedGrids& fine() const { return fine_; }
-  const PrecomputedGrids& coarse() const { return coarse_; }
-  const WidenedGrids& exact() const { return *exact_; }  ///< Of options.search = "exact" alone.
-  bool hasWalls() const { return fine_.firstWall().x <= fine_.lastWall().x; }
+  const PrecomputedGrids& fine() const { return *fine_; }
+  const PrecomputedGrids& coarse() const { return *coarse_; }
+  const WidenedGrids& exact() const { return *exact_; }   ///< Of options.search = "exact" alone.
+  const DistanceField& walls() const { return *walls_; }  ///< For refinement, of options.search = "exact" alone.
+  bool hasWalls() const { return fine_->firstWall().x <= fine_->lastWall().x; }
 
   /// Pose of the searched grids' corner in the reference map frame: the map's origin, with reference_map_cell_offset.
   const Rigid2& T_reference_grid() const { return T_reference_grid_; }
@@ -38,9 +41,10 @@ class SearchReference {
   double fine_resolution_;
   double coarse_resolution_;
   Rigid2 T_reference_grid_;
-  PrecomputedGrids fine_;
-  PrecomputedGrids coarse_;
+  std::optional<PrecomputedGrids> fine_;
+  std::optional<PrecomputedGrids> coarse_;
   std::optional<WidenedGrids> exact_;
+  std::optional<DistanceField> walls_;
 };
 
 /// Highest level of the exact search: nodes of up to 1.6 m. Wider ones match nearly everything in a building.

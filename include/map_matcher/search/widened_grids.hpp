@@ -22,10 +22,11 @@ class WidenedGrids {
 
   int topLevel() const { return static_cast<int>(levels_.size()) - 1; }
 
-  /// Pooled walls for nodes of a level. The value at (x + shift, y + shift), with shift = this->shift(level), tells
-  /// whether a hit lies in the window of BlockShape::window() cells that begins at (x, y).
+  /// Pooled walls for nodes of a level, in steps of BlockShape::grain() cells. The value at position(level, {x, y}),
+  /// for multiples x and y of the grain, tells whether a hit lies in the window of BlockShape::window() cells that
+  /// begins at (x, y).
   const PooledLevel& level(int level) const { return levels_[static_cast<std::size_t>(level)]; }
-  int shift(int level) const;  ///< [cells]
+  Cell position(int level, const Cell& first) const;
 
   /// Smallest box of cells that holds all hits; without walls it is empty: last < first.
   const Cell& firstHit() const { return first_hit_; }  ///< Lower left cell of the box.
@@ -33,6 +34,8 @@ class WidenedGrids {
   std::size_t bytes() const;                           ///< Memory taken [bytes].
 
  private:
+  int shift(int level) const;
+
   int reach_;  // of the tolerance [cells]
   Cell first_hit_;
   Cell last_hit_;

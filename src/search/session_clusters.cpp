@@ -1,0 +1,106 @@
+#include "map_matcher/search/session_clusters.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "shuffling.hpp"
+
+namespace map_matcher {
+namespace {
+
+struct Cluster {
+  Eigen::Vector2d middle;
+  std::int32_t size;
+};
+
+/// Halves sets of points until each fits into a window.
+class Clustering {
+ public:
+  Clustering(const SessionCells& session, const BlockShape& shape) : points_(session.points) {
+    for (const Eigen::Vector2d& p : points_) {
+      farthest_ = std::max(farthest_, p.norm());
+    }
+    arc_ = shape.halfArc() / std::max(farthest_, 1e-9);
+    room_ = 0.5 * shape.room() - kClusterRounding;
+  }
+
+  std::vector<Cluster> run() {
+    divide(points_.begin(), points_.end());
+    return clusters_;
+  }
+
+ private:
+  using Point = std::vector<Eigen::Vector2d>::iterator;
+
+  void divide(Point begin, Point end) {
+    Eigen::Vector2d low = *begin;
+    Eigen::Vector2d high = *begin;
+    for (Point p = begin; p != end; ++p) {
+      low = low.cwiseMin(*p);
+      high = high.cwiseMax(*p);
+    }
+    const Eigen::Vector2d middle = 0.5 * (low + high);
+    const auto size = end - begin;
+    if (size == 1 || fits(begin, end, middle)) {
+      clusters_.push_back({middle, static_cast<std::int32_t>(size)});
+      return;
+    }
+    const int axis = high.x() - low.x() > high.y() - low.y() ? 0 : 1;
+    const Point half = std::partition(begin, end, [&](const Eigen::Vector2d& p) { return p[axis] < middle[axis]; });
+    if (half == begin || half == end) {  // all points in one spot
+      clusters_.push_back({middle, static_cast<std::int32_t>(size)});
+      return;
+    }
+    divide(begin, half);
+    divide(half, end);
+  }
+
+  /// The middle turns by at most the node's arc, and the points stay as far from it as they are.
+  bool fits(Point begin, Point end, const Eigen::Vector2d& middle) const {
+    const double radius = room_ - arc_ * middle.norm();
+    return radius > 0.0 && std::all_of(begin, end, [&](const Eigen::Vector2d& p) {
+             return (p - middle).squaredNorm() <= radius * radius;
+           });
+  }
+
+  std::vector<Eigen::Vector2d> points_;
+  double farthest_ = 0.0;
+  double arc_ = 0.0;   // that a cell at unit distance describes, to either side
+  double room_ = 0.0;  // to either side
+  std::vector<Cluster> clusters_;
+};
+
+}  // namespace
+
+SessionClusters clustersOf(const SessionCells& session, const BlockShape& shape) {
+  SessionClusters result;
+  if (session.points.empty()) {
+    return result;
+  }
+  const std::vector<Cluster> clusters = inShuffledNeighbourhoods(Clustering(session, shape).run());
+  std::int32_t largest = 0;
+  for (const Cluster& cluster : clusters) {
+    largest = std::max(largest, cluster.size);
+    result.total += cluster.size;
+  }
+  std::int32_t weight = 1;
+  while (weight <= largest / 2) {
+    weight *= 2;
+  }
+  for (; weight > 0; weight /= 2) {
+    const std::size_t begin = result.x.size();
+    for (const Cluster& cluster : clusters) {
+      if ((cluster.size & weight) != 0) {
+        result.x.push_back(static_cast<float>(cluster.middle.x()));
+        result.y.push_back(static_cast<float>(cluster.middle.y()));
+      }
+    }
+    if (result.x.size() > begin) {
+      result.runs.push_back({result.x.size() - begin, weight});
+    }
+  }
+  return result;
+}
+
+}  // namespace map_matcher
