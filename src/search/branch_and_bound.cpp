@@ -36,8 +36,8 @@ constexpr std::int64_t kFewTiles = 24;
 
 class DepthFirstSearch {
  public:
-  DepthFirstSearch(const SearchProblem& problem, const StopToken& stop)
-      : problem_(problem), stop_(stop), threshold_(std::max(1, problem.min_count)) {}
+  DepthFirstSearch(const SearchProblem& problem, const Deadline& deadline)
+      : problem_(problem), deadline_(deadline), threshold_(std::max(1, problem.min_count)) {}
 
   SearchOutcome run() {
     Stopwatch watch;
@@ -56,7 +56,7 @@ class DepthFirstSearch {
 
  private:
   bool checkStop() {
-    outcome_.stopped = outcome_.stopped || stop_.stopRequested();
+    outcome_.stopped = outcome_.stopped || deadline_.passed();
     return outcome_.stopped;
   }
 
@@ -205,7 +205,7 @@ class DepthFirstSearch {
   }
 
   const SearchProblem& problem_;
-  const StopToken& stop_;
+  const Deadline& deadline_;
   std::int32_t threshold_;  // line 5
   SearchOutcome outcome_;
   std::vector<Node> initial_nodes_;
@@ -217,8 +217,8 @@ class DepthFirstSearch {
 
 }  // namespace
 
-SearchOutcome branchAndBound(const SearchProblem& problem, const StopToken& stop) {
-  return DepthFirstSearch(problem, stop).run();
+SearchOutcome branchAndBound(const SearchProblem& problem, const Deadline& deadline) {
+  return DepthFirstSearch(problem, deadline).run();
 }
 
 }  // namespace map_matcher

@@ -22,7 +22,18 @@ constexpr int kMostClimbs = 20;
 constexpr int kClimbedRotations = 2;
 
 bool searched(const MatchResult& answer) {
-  return answer.status == MatchStatus::kMatched || answer.status == MatchStatus::kBelowAcceptanceRatio;
+  return answer.status == MatchStatus::kMatched || answer.status == MatchStatus::kBelowAcceptanceRatio ||
+         answer.status == MatchStatus::kNotCertified;
+}
+
+/// An answer that nothing is proven about.
+MatchResult outOfTime(const MatchResult& answer, const MatchOptions& options, const Deadline& deadline) {
+  MatchResult result = answer;
+  result.upper_bound = 1.0;
+  const Verdict verdict = judge(result, options);
+  result.status = deadline.stopped() ? MatchStatus::kStopped : verdict.status;
+  result.reason = deadline.stopped() ? "the search was stopped before its proof was complete" : verdict.reason;
+  return result;
 }
 
 int numThreads(int option) {
@@ -38,11 +49,11 @@ struct RotationRange {
 class Certification {
  public:
   Certification(const SearchReference& reference, const SearchSession& session, const MatchOptions& options,
-                const MatchPrior& prior, const StopToken& stop)
+                const MatchPrior& prior, const Deadline& deadline)
       : reference_(reference),
         options_(options),
         prior_(prior),
-        deadline_(options.exact_deadline, stop),
+        deadline_(deadline),
         frames_(reference.T_reference_grid(), session.T_session_grid),
         cells_(session.fine),
         step_(rotationStep(1.0, cells_.diagonal)),
@@ -244,7 +255,7 @@ class Certification {
   const SearchReference& reference_;
   const MatchOptions& options_;
   const MatchPrior& prior_;
-  Deadline deadline_;
+  const Deadline& deadline_;
   SearchFrames frames_;
   const SessionCells& cells_;
   double step_;
@@ -257,11 +268,14 @@ class Certification {
 }  // namespace
 
 MatchResult certify(const MatchResult& answer, const SearchReference& reference, const SearchSession& session,
-                    const MatchOptions& options, const MatchPrior& prior, const StopToken& stop) {
+                    const MatchOptions& options, const MatchPrior& prior, const Deadline& deadline) {
   if (!searched(answer)) {
     return answer;
   }
-  return Certification(reference, session, options, prior, stop).run(answer);
+  if (deadline.passed()) {
+    return outOfTime(answer, options, deadline);
+  }
+  return Certification(reference, session, options, prior, deadline).run(answer);
 }
 
 }  // namespace map_matcher

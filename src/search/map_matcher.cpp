@@ -1,6 +1,6 @@
 #include "map_matcher/search/map_matcher.hpp"
 
-#include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "map_matcher/parameters/option_check.hpp"
@@ -48,10 +48,12 @@ MatchResult MapMatcher::match(const OccupancyGrid& session, const MatchPrior& pr
     buildSearchReference(resolution);
   }
   Stopwatch watch;
+  const bool exact = options_.search == "exact";
+  const Deadline deadline(exact ? options_.exact_deadline : std::numeric_limits<double>::infinity(), stop);
   const SearchSession search_session = searchSession(session, resolution, options_);
-  MatchResult result = twoStageSearch(*search_reference_, search_session, options_, prior, stop);
-  if (options_.search == "exact") {
-    result = certify(result, *search_reference_, search_session, options_, prior, stop);
+  MatchResult result = twoStageSearch(*search_reference_, search_session, options_, prior, deadline);
+  if (exact) {
+    result = certify(result, *search_reference_, search_session, options_, prior, deadline);
   }
   result.search_time = watch.lap();
   result.reference_time = reference_time_;

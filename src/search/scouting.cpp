@@ -38,12 +38,12 @@ std::int32_t bestCount(const PooledLevel& level, const RotatedCells& sample, con
 
 }  // namespace
 
-std::vector<std::size_t> promisingFirst(const SearchProblem& problem, int num_cells, const StopToken& stop) {
+std::vector<std::size_t> promisingFirst(const SearchProblem& problem, int num_cells, const Deadline& deadline) {
   const PooledLevel& level = problem.reference.level(problem.root_level);
   std::vector<std::size_t> order(problem.rotations.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::vector<std::int32_t> best(order.size(), 0);
-  for (std::size_t n = 0; n < order.size() && !stop.stopRequested(); n += 2) {  // the next rotation is much the same
+  for (std::size_t n = 0; n < order.size() && !deadline.passed(); n += 2) {  // the next rotation is much the same
     const RotatedCells& cells = problem.rotations[n];
     const SearchWindow reachable = reachableWindow(problem.reference, cells, problem.min_count);
     best[n] = bestCount(level, everyKth(cells, num_cells), intersection(problem.windows[n], reachable));

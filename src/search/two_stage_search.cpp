@@ -32,9 +32,9 @@ struct Stage {
 };
 
 /// Rotations that a stop cuts short stay empty; the search does not look at them then.
-void rotateCells(Stage& stage, const StopToken& stop) {
+void rotateCells(Stage& stage, const Deadline& deadline) {
   stage.problem.rotations.assign(stage.angles.size(), {});
-  for (std::size_t n = 0; n < stage.angles.size() && !stop.stopRequested(); ++n) {
+  for (std::size_t n = 0; n < stage.angles.size() && !deadline.passed(); ++n) {
     stage.problem.rotations[n] = rotate(stage.session, stage.angles[n]);
   }
 }
@@ -80,13 +80,13 @@ CentrePose poseOf(const Stage& stage) {
 class TwoStageSearch {
  public:
   TwoStageSearch(const SearchReference& reference, const SearchSession& session, const MatchOptions& options,
-                 const MatchPrior& prior, const StopToken& stop)
+                 const MatchPrior& prior, const Deadline& deadline)
       : reference_(reference),
         session_(session),
         frames_(reference.T_reference_grid(), session.T_session_grid),
         options_(options),
         prior_(prior),
-        stop_(stop) {}
+        deadline_(deadline) {}
 
   MatchResult run() {
     if (!checkInput()) {
@@ -101,7 +101,7 @@ class TwoStageSearch {
     Stage fine = searchFine(coarse);
     result_.stages.push_back(fine.report);
     if (fine.outcome.stopped) {
-      setStatus(MatchStatus::kStopped, "the search was stopped in its fine stage");
+      stopped(fine);
       return result_;
     }
     answer(fine.report.answered ? fine : coarse, fine.report.answered);
@@ -145,16 +145,16 @@ class TwoStageSearch {
     stage.problem.min_count = minCount(options_.coarse.acceptance_ratio, static_cast<int>(stage.session.points.size()));
     stage.problem.root_level = std::min(stage.problem.root_level, downsamplingSteps(stage.session));
     applyHeadingPrior(stage);
-    rotateCells(stage, stop_);
+    rotateCells(stage, deadline_);
     for (const double angle : stage.angles) {
       stage.problem.windows.push_back(
           frames_.window(prior_.window, stage.session.centre, stage.session.resolution, angle));
     }
     if (!prior_.heading) {
-      reorder(stage, promisingFirst(stage.problem, kScoutCells, stop_));
+      reorder(stage, promisingFirst(stage.problem, kScoutCells, deadline_));
     }
     stage.report.initialization_time = watch.lap();
-    record(stage, branchAndBound(stage.problem, stop_));
+    record(stage, branchAndBound(stage.problem, deadline_));
     return stage;
   }
 
@@ -176,7 +176,7 @@ class TwoStageSearch {
       watch.lap();
       placeWindow(stage, centre, window, step);
       stage.report.initialization_time += watch.lap();
-      record(stage, branchAndBound(stage.problem, stop_));
+      record(stage, branchAndBound(stage.problem, deadline_));
       if (!stage.report.answered || !onEdge(stage)) {
         break;
       }
@@ -187,7 +187,7 @@ class TwoStageSearch {
 
   void placeWindow(Stage& stage, const CentrePose& centre, const FineWindow& window, double step) const {
     stage.angles = rotationsAround(centre.angle, window.rotation_half_width, step);
-    rotateCells(stage, stop_);
+    rotateCells(stage, deadline_);
     const Eigen::Vector2d middle = centre.position / stage.session.resolution;
     const Cell cell{static_cast<int>(std::lround(middle.x())), static_cast<int>(std::lround(middle.y()))};
     stage.problem.windows.assign(stage.angles.size(), {{cell.x - window.half_width, cell.y - window.half_width},
@@ -220,9 +220,17 @@ class TwoStageSearch {
 
   double headingError(double angle) const { return frames_.headingError(*prior_.heading, angle); }
 
+  void stopped(const Stage& stage) {
+    if (deadline_.stopped()) {
+      setStatus(MatchStatus::kStopped, "the search was stopped in its " + stage.report.name + " stage");
+    } else {
+      setStatus(MatchStatus::kNotCertified, "the time was over in the " + stage.report.name + " stage");
+    }
+  }
+
   void explainNoCoarseAnswer(const Stage& coarse) {
     if (coarse.outcome.stopped) {
-      setStatus(MatchStatus::kStopped, "the search was stopped in its coarse stage");
+      stopped(coarse);
       return;
     }
     std::ostringstream reason;
@@ -261,7 +269,7 @@ class TwoStageSearch {
   SearchFrames frames_;
   const MatchOptions& options_;
   const MatchPrior& prior_;
-  const StopToken& stop_;
+  const Deadline& deadline_;
   MatchResult result_;
 };
 
@@ -273,8 +281,8 @@ FineWindow fineWindow(double cells_per_coarse_cell, double coarse_rotation_downs
 }
 
 MatchResult twoStageSearch(const SearchReference& reference, const SearchSession& session, const MatchOptions& options,
-                           const MatchPrior& prior, const StopToken& stop) {
-  return TwoStageSearch(reference, session, options, prior, stop).run();
+                           const MatchPrior& prior, const Deadline& deadline) {
+  return TwoStageSearch(reference, session, options, prior, deadline).run();
 }
 
 }  // namespace map_matcher

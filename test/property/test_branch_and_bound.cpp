@@ -127,7 +127,7 @@ TEST(BranchAndBound, StopsWhenItIsTold) {
   StopToken stop;
   stop.requestStop();
 
-  const SearchOutcome outcome = branchAndBound(search.problem(2), stop);
+  const SearchOutcome outcome = branchAndBound(search.problem(2), Deadline(1.0, stop));
 
   EXPECT_TRUE(outcome.stopped);
   EXPECT_FALSE(outcome.best.has_value());

@@ -70,7 +70,7 @@ TEST(TwoStageSearch, FineStageIsAsGoodAsASearchOfAMuchLargerWindow) {
     const SearchReference reference(map, 0.05, options);
 
     const MatchResult result =
-        twoStageSearch(reference, searchSession(session, reference.resolution(), options), options, {}, {});
+        twoStageSearch(reference, searchSession(session, reference.resolution(), options), options, {}, Deadline());
 
     ASSERT_TRUE(result.matched());
     // All translations of the whole map, within three coarse steps of the answer's rotation.

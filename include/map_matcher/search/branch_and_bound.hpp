@@ -6,10 +6,10 @@
 #include <optional>
 #include <vector>
 
+#include "map_matcher/search/deadline.hpp"
 #include "map_matcher/search/precomputed_grids.hpp"
 #include "map_matcher/search/rotations.hpp"
 #include "map_matcher/search/search_window.hpp"
-#include "map_matcher/search/stop_token.hpp"
 
 namespace map_matcher {
 
@@ -35,7 +35,7 @@ struct SearchPose {
 /// What a search found and what it took.
 struct SearchOutcome {
   std::optional<SearchPose> best;  ///< Nothing when no pose reaches min_count.
-  bool stopped = false;            ///< Whether the stop token ended the search; `best` is then the best so far.
+  bool stopped = false;            ///< Whether the deadline passed before the end; `best` is then the best so far.
   std::int64_t nodes_scored = 0;
   std::int64_t nodes_expanded = 0;
   double rotation_expansion_time = 0.0;  ///< Lines 4 to 10: scoring the initial node list [s].
@@ -44,6 +44,6 @@ struct SearchOutcome {
 
 /// Finds the pose with the most matched cells. Among equal ones the first in the order of the search wins, which is the
 /// same on every run.
-SearchOutcome branchAndBound(const SearchProblem& problem, const StopToken& stop = {});
+SearchOutcome branchAndBound(const SearchProblem& problem, const Deadline& deadline = Deadline());
 
 }  // namespace map_matcher

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "map_matcher/search/branch_and_bound.hpp"
+#include "map_matcher/search/deadline.hpp"
 
 namespace map_matcher {
 
@@ -13,6 +14,7 @@ namespace map_matcher {
 /// reaches the most matches at the root level. It decides nothing but the order: with a good rotation first, branch and
 /// bound has a high threshold early and gives most nodes of the others up after a few cells (2 to 5 times less work in
 /// a building; benchmark: BM_Match).
-std::vector<std::size_t> promisingFirst(const SearchProblem& problem, int num_cells, const StopToken& stop = {});
+std::vector<std::size_t> promisingFirst(const SearchProblem& problem, int num_cells,
+                                        const Deadline& deadline = Deadline());
 
 }  // namespace map_matcher

@@ -2,12 +2,12 @@
 /// The report's two-stage search (sections 3.1 and 3.2).
 #pragma once
 
+#include "map_matcher/search/deadline.hpp"
 #include "map_matcher/search/match_options.hpp"
 #include "map_matcher/search/match_prior.hpp"
 #include "map_matcher/search/match_result.hpp"
 #include "map_matcher/search/search_reference.hpp"
 #include "map_matcher/search/search_session.hpp"
-#include "map_matcher/search/stop_token.hpp"
 
 namespace map_matcher {
 
@@ -28,6 +28,6 @@ FineWindow fineWindow(double cells_per_coarse_cell, double coarse_rotation_downs
 /// Coarse stage over all rotations and all translations, then fine stage around its answer. Fills everything of the
 /// result but the times of the whole match and what the exact search adds. Returns within 50 ms of a stop.
 MatchResult twoStageSearch(const SearchReference& reference, const SearchSession& session, const MatchOptions& options,
-                           const MatchPrior& prior, const StopToken& stop);
+                           const MatchPrior& prior, const Deadline& deadline);
 
 }  // namespace map_matcher
