@@ -2,6 +2,7 @@
 
 #include <ros/console.h>
 
+#include "map_matcher/ros/conversions.hpp"
 #include "map_matcher/ros/names.hpp"
 
 namespace map_matcher {
@@ -95,7 +96,12 @@ std::optional<std::future<MapMatch>> MapMatcherServer::matchSession() {
 
 void MapMatcherServer::submitMatch(const Answer& answer) {
   worker_.submit([this, session = session_, reference = reference_, answer](const StopToken& stop) {
-    SessionMatch match = matchForBroadcast(matcher_, reference, *session, stop);
+    MatchPrior prior;
+    const std::optional<Alignment> alignment = broadcaster_.alignment();
+    if (alignment && alignment->session_frame == frameName(session->header.frame_id)) {
+      prior.alignment = alignment->T_reference_session;
+    }
+    SessionMatch match = matchForBroadcast(matcher_, reference, *session, prior, stop);
     conclude(session, match, stop);
     if (answer) {
       answer->set_value(match.report);

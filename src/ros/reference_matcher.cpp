@@ -55,9 +55,9 @@ SessionMatch ReferenceMatcher::match(const ReferenceMapPtr& reference, const nav
 }
 
 SessionMatch matchForBroadcast(ReferenceMatcher& matcher, const ReferenceMapPtr& reference,
-                               const nav_msgs::OccupancyGrid& session, const StopToken& stop) {
+                               const nav_msgs::OccupancyGrid& session, const MatchPrior& prior, const StopToken& stop) {
   if (!reference || frameName(session.header.frame_id) != reference->frame) {
-    return matcher.match(reference, session, {}, stop);
+    return matcher.match(reference, session, prior, stop);
   }
   SessionMatch refused;
   refused.report = refusal(MapMatch::EQUAL_FRAMES,

@@ -61,9 +61,13 @@ Verdict ambiguous(const MatchResult& result, const MatchOptions& options) {
 
 }  // namespace
 
-Verdict judge(const MatchResult& result, const MatchOptions& options) {
+Verdict judge(const MatchResult& result, const MatchOptions& options, bool agrees) {
   if (result.certified && result.hit_cells < minCount(smallestHitRatio(options), result.total_cells)) {
     return belowAcceptanceRatio(result, options);
+  }
+  if (result.certified && agrees && options.follow_alignment && result.margin < options.min_margin) {
+    return {MatchStatus::kMatched,
+            hitsText(result, options) + ", the place of an earlier session map; " + elsewhereText(result)};
   }
   if (result.runner_up && result.hit_ratio - result.runner_up->ratio < options.min_margin) {
     return ambiguous(result, options);

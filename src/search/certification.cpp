@@ -197,12 +197,22 @@ class Certification {
       result_.reason = "the search was stopped before its proof was complete";
       return;
     }
-    const Verdict verdict = judge(result_, options_);
+    const Verdict verdict = judge(result_, options_, best && agreesWithPrior(*best));
     result_.status = verdict.status;
     result_.reason = verdict.reason;
     if (result_.matched()) {
       refinePose(*best);
     }
+  }
+
+  bool agreesWithPrior(const SearchPose& pose) const {
+    if (!prior_.alignment) {
+      return false;
+    }
+    const CentrePose here = centrePose(pose);
+    const CentrePose before = frames_.centrePose(*prior_.alignment, cells_.centre);
+    return (here.position - before.position).norm() <= options_.distinct_distance &&
+           std::abs(normalizeAngle(here.angle - before.angle)) <= options_.distinct_angle;
   }
 
   /// Takes a pose as the answer.
@@ -230,6 +240,7 @@ class Certification {
   /// Moves the answer from whole cells to where the session lies best (the maps' walls as they are, not the wider
   /// hits).
   void refinePose(const SearchPose& pose) {
+    result_.searched = mapPose(pose);
     const RefinedPose refined = refine(reference_.walls(), cells_, centrePose(pose), options_.hit_tolerance);
     result_.T_reference_session = frames_.mapPose(refined.pose, cells_.centre);
     result_.covariance = frames_.mapCovariance(refined.covariance, refined.pose.angle, cells_.centre);

@@ -56,6 +56,10 @@ nlohmann::ordered_json toJson(const MatchResult& result) {
     const Rigid2& T = result.T_reference_session;
     json["transform"] = {{"x", T.x}, {"y", T.y}, {"yaw", T.yaw}};
   }
+  json["searched"] = nullptr;
+  if (result.searched) {
+    json["searched"] = {{"x", result.searched->x}, {"y", result.searched->y}, {"yaw", result.searched->yaw}};
+  }
   json["refined"] = result.refined;
   json["ratio"] = result.ratio;
   json["matched_cells"] = result.matched_cells;

@@ -101,6 +101,27 @@ TEST(Certification, AcceptsOneOfTwoEqualPlacesWhenAPriorExcludesTheOther) {
   EXPECT_LT(scene.error(result.T_reference_session), 0.15);
 }
 
+TEST(Certification, FollowsTheAlignmentOfAnEarlierMapWithoutAMargin) {
+  Scene scene(1);
+  scene.reference = twice(scene.reference, 30.0);
+  const MatchResult ambiguous = scene.match();
+  MatchPrior agreeing;  // with the one of the two equal places that comes first
+  agreeing.alignment = Rigid2{0.3, -0.2, 0.02} * ambiguous.T_reference_session;
+  MatchPrior contradicting;
+  contradicting.alignment = Rigid2{5.0, 0.0, 0.0} * ambiguous.T_reference_session;
+  MatchOptions strict;
+  strict.follow_alignment = false;
+
+  const MatchResult followed = scene.match({}, agreeing);
+
+  EXPECT_EQ(ambiguous.status, MatchStatus::kAmbiguous);
+  ASSERT_TRUE(followed.matched()) << followed.reason;
+  EXPECT_NE(followed.reason.find("the place of an earlier session map"), std::string::npos) << followed.reason;
+  EXPECT_TRUE(followed.searched);
+  EXPECT_EQ(scene.match({}, contradicting).status, MatchStatus::kAmbiguous);
+  EXPECT_EQ(scene.match(strict, agreeing).status, MatchStatus::kAmbiguous);
+}
+
 TEST(Certification, ReplacesAWrongAnswer) {
   const Scene scene(2);
   const MatchOptions options;

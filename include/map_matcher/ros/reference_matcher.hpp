@@ -44,7 +44,7 @@ class ReferenceMatcher {
 /// As ReferenceMatcher::match, for a session map whose pose is to be broadcast: refuses, with status EQUAL_FRAMES and
 /// advice, maps in the frame of the reference map.
 SessionMatch matchForBroadcast(ReferenceMatcher& matcher, const ReferenceMapPtr& reference,
-                               const nav_msgs::OccupancyGrid& session, const StopToken& stop);
+                               const nav_msgs::OccupancyGrid& session, const MatchPrior& prior, const StopToken& stop);
 
 /// Whether the report is about a map that no search can use, whatever the reference map.
 bool isUnusable(const MapMatch& report);

@@ -16,8 +16,9 @@ struct Verdict {
 };
 
 /// kMatched when the result is certified, its hit ratio reaches smallestHitRatio() and its margin min_margin; else
-/// the first of these that fails. `result` has an answer of an exact search in it. A wrong pose that looks right is
-/// worse than none: what is not proven is not accepted.
-Verdict judge(const MatchResult& result, const MatchOptions& options);
+/// the first of these that fails. `agrees`: whether the place is that of MatchPrior::alignment, which replaces the
+/// margin with options.follow_alignment. `result` has an answer of an exact search in it. A wrong pose that looks right
+/// is worse than none: what is not proven is not accepted.
+Verdict judge(const MatchResult& result, const MatchOptions& options, bool agrees = false);
 
 }  // namespace map_matcher

@@ -5,6 +5,8 @@
 #include <Eigen/Core>
 #include <optional>
 
+#include "map_matcher/grid/rigid2.hpp"
+
 namespace map_matcher {
 
 /// Heading of the session map in the reference map.
@@ -24,6 +26,9 @@ struct WindowPrior {
 struct MatchPrior {
   std::optional<HeadingPrior> heading;  ///< Orders the initial node list, nearest heading first, and may narrow it.
   std::optional<WindowPrior> window;    ///< Narrows the translations.
+  /// T_reference_session with which an earlier map of the same session was accepted. It narrows nothing, but a best
+  /// place that agrees with it needs no margin, with MatchOptions::follow_alignment.
+  std::optional<Rigid2> alignment;
 };
 
 }  // namespace map_matcher
