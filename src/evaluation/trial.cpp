@@ -7,6 +7,7 @@
 
 #include "map_matcher/evaluation/map_quality.hpp"
 #include "map_matcher/parameters/option_check.hpp"
+#include "map_matcher/scrubbing/range_removal.hpp"
 
 namespace map_matcher {
 namespace {
@@ -122,15 +123,7 @@ void Trial::takePending(double time) {
 PlanarScan Trial::scrubbed(const TrialScan& scan, const TrialStep& step) {
   const std::vector<Disc>& discs =
       cache_.discsAt(stampOf(step.time), [&](const DetectionSet& set) { return poseOf(set, scan, step); });
-  const std::vector<std::uint32_t>& beams = scrubber_.beamsInside(scan.scan, scan.scan.ranges, discs);
-  PlanarScan result = scan.scan;
-  if (static_cast<double>(beams.size()) <= options_.scrubbing.max_removed_fraction * scrubber_.numPoints()) {
-    const float range = removedRange(options_.scrubbing.removed_range, scan.scan);
-    for (const std::uint32_t beam : beams) {
-      result.ranges[beam] = range;
-    }
-  }
-  return result;
+  return {scan.scan, removeRanges(scan.scan, scan.scan.ranges, discs, options_.scrubbing, scrubber_).ranges};
 }
 
 /// Through the odometry at the time of the detections, as tf would.
