@@ -68,6 +68,7 @@ STEPS = ("initialization", "rotation_expansion", "depth_first_search")
 STEP_NAMES = ("initialization", "expansion of the rotation nodes", "depth-first search")
 COLUMNS = ["session", "time", "session_age", "travelled", "status", "ratio", "search_time", "coarse_ratio",
            *["coarse_%s_time" % step for step in STEPS], "fine_ratio", *["fine_%s_time" % step for step in STEPS],
+           "certified", "hit_ratio", "upper_bound", "margin", "exact_time",
            "alignment_x_error", "alignment_y_error", "alignment_yaw_error", "truth_x", "truth_y", "translation_error",
            "rotation_error", "occupied", "falsely_occupied"]
 

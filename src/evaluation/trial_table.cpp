@@ -49,6 +49,19 @@ void addStage(Row& row, const StageReport* stage) {
   row.add(value(&StageReport::depth_first_search_time));
 }
 
+/// What the exact search says; nothing where it did not run.
+void addProof(Row& row, const MatchResult& result) {
+  const StageReport* exact = stageOf(result, "exact");
+  const auto known = [exact](double value) { return exact != nullptr ? std::optional<double>(value) : std::nullopt; };
+  row.add(known(result.certified ? 1.0 : 0.0));
+  row.add(known(result.hit_ratio));
+  row.add(known(result.upper_bound));
+  row.add(known(result.margin));
+  row.add(exact != nullptr ? std::optional<double>(exact->initialization_time + exact->rotation_expansion_time +
+                                                   exact->depth_first_search_time)
+                           : std::nullopt);
+}
+
 /// Difference of two poses in the coordinates of the reference map.
 std::optional<Rigid2> difference(const std::optional<Rigid2>& estimate, const std::optional<Rigid2>& truth) {
   if (!estimate || !truth) {
@@ -69,6 +82,7 @@ constexpr const char* kHeader =
     "session,time,session_age,travelled,status,matched,ratio,search_time,"
     "coarse_ratio,coarse_initialization_time,coarse_rotation_expansion_time,coarse_depth_first_search_time,"
     "fine_ratio,fine_initialization_time,fine_rotation_expansion_time,fine_depth_first_search_time,"
+    "certified,hit_ratio,upper_bound,margin,exact_time,"
     "alignment_x,alignment_y,alignment_yaw,alignment_x_error,alignment_y_error,alignment_yaw_error,"
     "heading_drift,estimate_x,estimate_y,estimate_yaw,truth_x,truth_y,truth_yaw,translation_error,rotation_error,"
     "occupied,falsely_occupied\n";
@@ -88,6 +102,7 @@ std::string rowOf(const TrialQuery& query) {
   row.add(result.search_time);
   addStage(row, stageOf(result, "coarse"));
   addStage(row, stageOf(result, "fine"));
+  addProof(row, result);
   row.add(alignment);
   row.add(difference(alignment, query.true_alignment));
   row.add(headingDrift(query));
