@@ -80,21 +80,44 @@ void Trial::add(const TrialStep& step) {
                 return pose.time >= step.time - kRemembered;
               }));
   takePending(step.time);
-  mounts_.clear();
-  for (const TrialScan& scan : step.scans) {
-    mounts_.push_back(scan.mount);
-  }
-  bool drawn = false;
-  for (const TrialScan& scan : step.scans) {
-    const ScanReport report =
-        mapper_.addScan(step.T_odom_base, options_.scrub ? scrubbed(scan, step) : scan.scan, scan.mount);
-    drawn = drawn || report.outcome == ScanOutcome::kDrawn;
-  }
-  cache_.forget(stampOf(step.time));
-  if (drawn && (!last_map_ || step.time - *last_map_ > options_.map_update_interval)) {
+  const std::vector<MountedScan> scans = scansFor(step);
+  const bool drawn = map(step, scans);
+  const bool queried = drawn && (!last_map_ || step.time - *last_map_ > options_.map_update_interval);
+  if (queried) {
     last_map_ = step.time;
     match(step);
   }
+  if (on_moment_) {
+    on_moment_(
+        {step.time, session_, step.time - session_start_, travelled_, step.T_odom_base, step.truth, scans, queried});
+  }
+}
+
+/// The scans as the mapper is to see them.
+std::vector<MountedScan> Trial::scansFor(const TrialStep& step) {
+  if (!options_.scrub) {
+    return step.scans;
+  }
+  mounts_.clear();
+  for (const MountedScan& scan : step.scans) {
+    mounts_.push_back(scan.mount);
+  }
+  std::vector<MountedScan> scans;
+  for (const MountedScan& scan : step.scans) {
+    scans.push_back({scrubbed(scan, step), scan.mount});
+  }
+  cache_.forget(stampOf(step.time));
+  return scans;
+}
+
+/// Whether any of the scans was drawn.
+bool Trial::map(const TrialStep& step, const std::vector<MountedScan>& scans) {
+  bool drawn = false;
+  for (const MountedScan& scan : scans) {
+    const ScanReport report = mapper_.addScan(step.T_odom_base, scan.scan, scan.mount);
+    drawn = drawn || report.outcome == ScanOutcome::kDrawn;
+  }
+  return drawn;
 }
 
 void Trial::beginSession(const TrialStep& step) {
@@ -120,14 +143,14 @@ void Trial::takePending(double time) {
   pending_.erase(end, pending_.end());
 }
 
-PlanarScan Trial::scrubbed(const TrialScan& scan, const TrialStep& step) {
+PlanarScan Trial::scrubbed(const MountedScan& scan, const TrialStep& step) {
   const std::vector<Disc>& discs =
       cache_.discsAt(stampOf(step.time), [&](const DetectionSet& set) { return poseOf(set, scan, step); });
   return {scan.scan, removeRanges(scan.scan, scan.scan.ranges, discs, options_.scrubbing, scrubber_).ranges};
 }
 
 /// Through the odometry at the time of the detections, as tf would.
-std::optional<Eigen::Isometry3d> Trial::poseOf(const DetectionSet& set, const TrialScan& scan,
+std::optional<Eigen::Isometry3d> Trial::poseOf(const DetectionSet& set, const MountedScan& scan,
                                                const TrialStep& step) const {
   const double time = seconds(set.stamp);
   const auto nearest = std::min_element(past_.begin(), past_.end(), [time](const PastPose& a, const PastPose& b) {

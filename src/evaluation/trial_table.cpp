@@ -1,34 +1,11 @@
 #include "map_matcher/evaluation/trial_table.hpp"
 
 #include <optional>
-#include <sstream>
 
-#include "map_matcher/parameters/number_text.hpp"
+#include "csv_row.hpp"
 
 namespace map_matcher {
 namespace {
-
-/// A line of cells separated by commas.
-class Row {
- public:
-  void add(const std::string& text) {
-    line_ << (empty_ ? "" : ",") << text;
-    empty_ = false;
-  }
-  void add(double value) { add(numberText(value)); }
-  void add(const std::optional<double>& value) { add(value ? numberText(*value) : std::string()); }
-  void add(const std::optional<Rigid2>& pose) {
-    for (double Rigid2::*field : {&Rigid2::x, &Rigid2::y, &Rigid2::yaw}) {
-      add(pose ? numberText((*pose).*field) : std::string());
-    }
-  }
-
-  std::string line() const { return line_.str() + "\n"; }
-
- private:
-  std::ostringstream line_;
-  bool empty_ = true;
-};
 
 const StageReport* stageOf(const MatchResult& result, const std::string& name) {
   for (const StageReport& stage : result.stages) {
@@ -39,7 +16,7 @@ const StageReport* stageOf(const MatchResult& result, const std::string& name) {
   return nullptr;
 }
 
-void addStage(Row& row, const StageReport* stage) {
+void addStage(CsvRow& row, const StageReport* stage) {
   const auto value = [stage](double StageReport::*field) {
     return stage != nullptr ? std::optional<double>(stage->*field) : std::nullopt;
   };
@@ -50,7 +27,7 @@ void addStage(Row& row, const StageReport* stage) {
 }
 
 /// What the exact search says; nothing where it did not run.
-void addProof(Row& row, const MatchResult& result) {
+void addProof(CsvRow& row, const MatchResult& result) {
   const StageReport* exact = stageOf(result, "exact");
   const auto known = [exact](double value) { return exact != nullptr ? std::optional<double>(value) : std::nullopt; };
   row.add(known(result.certified ? 1.0 : 0.0));
@@ -91,7 +68,7 @@ std::string rowOf(const TrialQuery& query) {
   const MatchResult& result = query.result;
   const std::optional<Rigid2> alignment = query.alignment();
   const std::optional<PoseError> error = query.robotError();
-  Row row;
+  CsvRow row;
   row.add(query.session);
   row.add(query.time);
   row.add(query.session_age);

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
+#include "map_matcher/evaluation/simulated_trial.hpp"
 #include "map_matcher/ros/bag_scan_queue.hpp"
 #include "map_matcher/ros/bag_truth.hpp"
 #include "map_matcher/ros/conversions.hpp"
@@ -15,12 +17,15 @@ namespace map_matcher {
 namespace {
 
 const ros::Duration kTfHistory(30.0);  // transforms kept
+constexpr double kWayAhead = 1.5;      // [s] of the robot's way that people know
+constexpr double kWayStep = 0.5;       // [s]
 
 class BagTrial {
  public:
-  BagTrial(const BagTrialRequest& request, Trial& trial)
+  BagTrial(const BagTrialRequest& request, Trial& trial, InsertedCrowd* crowd)
       : request_(request),
         trial_(trial),
+        crowd_(crowd),
         tf_(kTfHistory),
         queue_([this](const sensor_msgs::LaserScan& scan) { play(scan); }) {
     openBag(bag_, request.bag);
@@ -88,11 +93,37 @@ class BagTrial {
     step.T_odom_base = projectToPlane(odometry.transform, "the odometry");
     step.truth = truth_ ? truth_->at(step.time) : std::nullopt;
     step.scans.push_back({fromMessage(message), laserMountFrom(mount.transform)});
+    const std::optional<DetectedPeople> detections = insertPeople(step);
     trial_.add(step);
+    if (detections) {
+      trial_.add(trialDetectionsOf(*detections, 0));
+    }
+  }
+
+  /// Puts the crowd into the scan, where the truth tells how the robot stands to it.
+  std::optional<DetectedPeople> insertPeople(TrialStep& step) {
+    if (crowd_ == nullptr) {
+      return std::nullopt;
+    }
+    if (!step.truth) {
+      ++result_.scans_without_people;
+      return std::nullopt;
+    }
+    std::vector<Rigid2> way{*step.truth};
+    for (double ahead = kWayStep; ahead <= kWayAhead; ahead += kWayStep) {
+      if (const auto pose = truth_->at(step.time + ahead)) {
+        way.push_back(*pose);
+      }
+    }
+    crowd_->moveOn(step.time, way);
+    CrowdedScan crowded = crowd_->among(step.scans.front());
+    step.scans.front().scan = std::move(crowded.scan);
+    return crowded.detections;
   }
 
   const BagTrialRequest& request_;
   Trial& trial_;
+  InsertedCrowd* crowd_;  // may be null
   rosbag::Bag bag_;
   std::string scan_topic_;
   std::vector<std::string> detection_topics_;
@@ -104,6 +135,12 @@ class BagTrial {
 
 }  // namespace
 
-BagTrialResult playBag(const BagTrialRequest& request, Trial& trial) { return BagTrial(request, trial).run(); }
+BagTrialResult playBag(const BagTrialRequest& request, Trial& trial, InsertedCrowd* crowd) {
+  if (crowd != nullptr && request.truth_topic.empty()) {
+    throw BagError("people are to be inserted into the scans of bag '" + request.bag +
+                   "', which takes its topic of true poses");
+  }
+  return BagTrial(request, trial, crowd).run();
+}
 
 }  // namespace map_matcher

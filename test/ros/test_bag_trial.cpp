@@ -6,8 +6,11 @@
 #include <rosbag/view.h>
 #include <std_msgs/String.h>
 
+#include <cmath>
 #include <functional>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "map_matcher/ros/bag_trial.hpp"
 #include "map_matcher/ros/drive_bag.hpp"
@@ -41,12 +44,14 @@ class RecordedTrial : public testing::Test {
     writeDriveBag(smallDrive(), request.bag);
   }
 
-  BagTrialResult play() {
+  BagTrialResult play(InsertedCrowd* crowd = nullptr) {
     TrialOptions options;
     options.map_update_interval = 1.0;
-    options.scrub = true;
+    options.scrub = scrub;
     trial.emplace(test::twoRooms(), options);
-    return playBag(request, *trial);
+    scans.clear();
+    trial->onMoment([this](const TrialMoment& moment) { scans.push_back(moment.scans.front().scan); });
+    return playBag(request, *trial, crowd);
   }
 
   std::string errorText() {
@@ -80,7 +85,9 @@ class RecordedTrial : public testing::Test {
 
   const test::TemporaryDir dir;
   BagTrialRequest request;
+  bool scrub = true;
   std::optional<Trial> trial;
+  std::vector<PlanarScan> scans;  // as the mapper got them
 };
 
 TEST_F(RecordedTrial, TakesEveryScanWithItsTruth) {
@@ -160,6 +167,100 @@ TEST_F(RecordedTrial, RefusesATruthThatChangesItsFrame) {
   append("/ground_truth", pose);
 
   EXPECT_THAT(errorText(), HasSubstr("in the frames 'map' and 'elsewhere', expected one frame"));
+}
+
+/// A recorded drive into whose scans people are put, all of whom are detected.
+class CrowdInARecordedDrive : public RecordedTrial {
+ protected:
+  CrowdInARecordedDrive() {
+    DriveOptions options = test::shortDrive(1);
+    options.duration = 6.0;
+    options.rate = 5.0;
+    writeDriveBag(simulateDrive(test::twoRooms(), options), request.bag);
+    crowd_options.pedestrians.people = 3;
+    crowd_options.detector.recall = 0.99;
+    crowd_options.detector.latency = 0.0;
+    scrub = false;
+  }
+
+  BagTrialResult playAmongPeople() {
+    InsertedCrowd crowd(test::twoRooms(), crowd_options);
+    return play(&crowd);
+  }
+
+  InsertedCrowdOptions crowd_options;
+};
+
+/// Ranges of one drive that differ from those of another.
+int numDifferent(const std::vector<PlanarScan>& a, const std::vector<PlanarScan>& b, bool (*is_due)(float, float)) {
+  int count = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t k = 0; k < a[i].ranges.size(); ++k) {
+      count += a[i].ranges[k] != b[i].ranges[k] && is_due(a[i].ranges[k], b[i].ranges[k]) ? 1 : 0;
+    }
+  }
+  return count;
+}
+
+bool isAny(float /*a*/, float /*b*/) { return true; }
+bool isNearerNow(float a, float b) { return b < a; }
+bool isGone(float /*a*/, float b) { return std::isinf(b); }
+
+TEST_F(CrowdInARecordedDrive, HidesWhatLiesBehindItsLegs) {
+  play();
+  const std::vector<PlanarScan> recorded = scans;
+
+  const BagTrialResult result = playAmongPeople();
+
+  EXPECT_EQ(result.scans_without_people, 0);
+  ASSERT_EQ(scans.size(), recorded.size());
+  EXPECT_GT(numDifferent(recorded, scans, isAny), 50);
+  // A leg may be so near to the robot that the lidar does not see it, and hide the wall nevertheless.
+  EXPECT_EQ(numDifferent(recorded, scans, isAny),
+            numDifferent(recorded, scans, isNearerNow) + numDifferent(recorded, scans, isGone));
+}
+
+TEST_F(CrowdInARecordedDrive, IsTakenOutByTheScrubber) {
+  playAmongPeople();
+  const std::vector<PlanarScan> crowded = scans;
+  play();
+  const int on_legs = numDifferent(scans, crowded, isNearerNow);
+  scrub = true;
+
+  playAmongPeople();
+
+  EXPECT_GT(numDifferent(crowded, scans, isGone), on_legs / 2);
+}
+
+TEST_F(CrowdInARecordedDrive, IsTheSameForTheSameSeedOnly) {
+  playAmongPeople();
+  const std::vector<PlanarScan> once = scans;
+  playAmongPeople();
+  EXPECT_EQ(numDifferent(once, scans, isAny), 0);
+
+  crowd_options.seed = 2;
+  playAmongPeople();
+  EXPECT_GT(numDifferent(once, scans, isAny), 0);
+}
+
+TEST_F(CrowdInARecordedDrive, IsLeftOutWhereTheTruthIsNotKnown) {
+  play();
+  const std::vector<PlanarScan> recorded = scans;
+  rewrite([](const rosbag::MessageInstance& message) {
+    return message.getTopic() != "/ground_truth" || message.getTime() < ros::Time(1003.1);
+  });
+
+  const BagTrialResult result = playAmongPeople();
+
+  EXPECT_EQ(result.scans_without_people, 15);
+  for (std::size_t i = 16; i < scans.size(); ++i) {
+    EXPECT_EQ(scans[i].ranges, recorded[i].ranges) << i;
+  }
+}
+
+TEST_F(CrowdInARecordedDrive, NeedsTheTruth) {
+  request.truth_topic.clear();
+  EXPECT_THAT(test::thrownText<BagError>([this] { playAmongPeople(); }), HasSubstr("takes its topic of true poses"));
 }
 
 }  // namespace
