@@ -3,11 +3,12 @@ report(plan, page), which draws figures into the directory of the page and retur
 import cold_starts
 import crowd
 import mapping
+import monte_carlo
 import own
 import real_logs
 import static
 
-ALL = [static, crowd, cold_starts, mapping, real_logs]
+ALL = [static, crowd, cold_starts, mapping, monte_carlo, real_logs]
 
 
 def own_bag(arguments):

@@ -38,13 +38,13 @@ def arguments_of(runs):
     return "\n".join(lines + ["```", "", "</details>"])
 
 
-def write_table(path, runs, columns):
+def write_table(path, runs, columns, rows_of=lambda run: run.rows()):
     """The given columns of all rows of the runs, with the name of the run before them."""
     with open(path, "w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(["run", *columns])
         for run in runs:
-            for row in run.rows():
+            for row in rows_of(run):
                 writer.writerow([run.name, *["" if row.get(c) is None else text(row[c]) for c in columns]])
 
 

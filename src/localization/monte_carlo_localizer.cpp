@@ -2,6 +2,7 @@
 
 #include <mrpt/bayes/CParticleFilter.h>
 #include <mrpt/maps/COccupancyGridMap2D.h>
+#include <mrpt/maps/CSimplePointsMap.h>
 #include <mrpt/obs/CActionCollection.h>
 #include <mrpt/obs/CActionRobotMovement2D.h>
 #include <mrpt/obs/CObservation2DRangeScan.h>
@@ -56,6 +57,28 @@ std::shared_ptr<mrpt::maps::COccupancyGridMap2D> toMrpt(const OccupancyGrid& gri
     throw std::invalid_argument("the map has no free cell, expected room for a robot");
   }
   return map;
+}
+
+/// MRPT computes the likelihood of a beam that ends in a cell when the first one does; here all cells at once, so that
+/// no update of the particles has to.
+void computeLikelihoods(const MonteCarloOptions& options, mrpt::maps::COccupancyGridMap2D& map) {
+  auto& likelihood = map.likelihoodOptions;
+  likelihood.likelihoodMethod = mrpt::maps::COccupancyGridMap2D::lmLikelihoodField_Thrun;
+  likelihood.enableLikelihoodCache = true;
+  likelihood.LF_stdHit = static_cast<float>(options.laser_sigma_hit);
+  likelihood.LF_zHit = static_cast<float>(options.laser_z_hit);
+  likelihood.LF_zRandom = static_cast<float>(options.laser_z_rand);
+  likelihood.LF_maxRange = static_cast<float>(options.laser_max_range);
+  likelihood.LF_maxCorrsDistance = static_cast<float>(options.laser_likelihood_max_dist);
+  likelihood.LF_decimation = 1;  // the beams are chosen before
+  mrpt::maps::CSimplePointsMap row;
+  for (int y = 0; y < static_cast<int>(map.getSizeY()); ++y) {
+    row.clear();
+    for (int x = 0; x < static_cast<int>(map.getSizeX()); ++x) {
+      row.insertPoint(map.idx2x(x), map.idx2y(y));
+    }
+    map.computeLikelihoodField_Thrun(&row);
+  }
 }
 
 mrpt::bayes::CParticleFilter filterOf(const MonteCarloOptions& options) {
@@ -130,13 +153,7 @@ class MonteCarloLocalizer::Impl {
     T_map_grid_ = map.geometry().T_map_grid;
     const bool is_fine = map.resolution() < options.map_resolution;
     map_ = toMrpt(is_fine ? resample(map, options.map_resolution) : map);
-    auto& likelihood = map_->likelihoodOptions;
-    likelihood.likelihoodMethod = mrpt::maps::COccupancyGridMap2D::lmLikelihoodField_Thrun;
-    likelihood.LF_stdHit = static_cast<float>(options.laser_sigma_hit);
-    likelihood.LF_zHit = static_cast<float>(options.laser_z_hit);
-    likelihood.LF_zRandom = static_cast<float>(options.laser_z_rand);
-    likelihood.LF_maxCorrsDistance = static_cast<float>(options.laser_likelihood_max_dist);
-    likelihood.LF_decimation = 1;  // the beams were chosen before
+    computeLikelihoods(options, *map_);
     filter_ = filterOf(options);
     particles_.options.metricMap = map_;
     configure(particles_.options.KLD_params, options);
@@ -158,14 +175,12 @@ class MonteCarloLocalizer::Impl {
     for (const MountedScan& scan : scans) {
       if (const auto observation = observationOf(scan, options_.laser_max_beams)) {
         observations.insert(observation);
-        longest_range_ = std::max(longest_range_.value_or(0.0), scan.scan.range_max);
       }
     }
     T_odom_base_ = T_odom_base;
     if (observations.size() == 0 || !hasMoved()) {
       return false;
     }
-    fixLongestRange();
     weigh(observations);
     return true;
   }
@@ -188,14 +203,6 @@ class MonteCarloLocalizer::Impl {
     }
     const Rigid2 motion = T_odom_weighed_->inverse() * T_odom_base_;
     return motion.translation().norm() >= options_.update_min_d || std::abs(motion.yaw) >= options_.update_min_a;
-  }
-
-  /// MRPT keeps likelihoods that it has computed: what they depend on is chosen with the first scan.
-  void fixLongestRange() {
-    if (!is_range_fixed_) {
-      map_->likelihoodOptions.LF_maxRange = static_cast<float>(*longest_range_);
-      is_range_fixed_ = true;
-    }
   }
 
   void weigh(const mrpt::obs::CSensoryFrame& observations) {
@@ -229,9 +236,7 @@ class MonteCarloLocalizer::Impl {
   mrpt::slam::CMonteCarloLocalization2D particles_;  // in the frame of the grid
   Rigid2 T_odom_base_;                               // of the last scans
   std::optional<Rigid2> T_odom_weighed_;             // of the last scans that were used; none: particles everywhere
-  std::optional<double> longest_range_;              // [m]
-  bool is_range_fixed_ = false;
-  MonteCarloEstimate weighed_;  // when the particles were last weighed
+  MonteCarloEstimate weighed_;                       // when the particles were last weighed
 };
 
 MonteCarloLocalizer::MonteCarloLocalizer(const OccupancyGrid& map, const MonteCarloOptions& options)

@@ -19,6 +19,7 @@ ParameterList parametersOf(MonteCarloOptions& options) {
        10000},
       {"laser_z_hit", "", "Weight of beams that end near walls.", &options.laser_z_hit, 0.0, 1.0},
       {"laser_z_rand", "", "Weight of beams that end anywhere.", &options.laser_z_rand, 1e-4, 1.0},
+      {"laser_max_range", "m", "Over which beams that end anywhere are spread.", &options.laser_max_range, 1.0, 1000.0},
       {"laser_sigma_hit", "m", "Standard deviation of the distance from the end of a beam to the wall.",
        &options.laser_sigma_hit, 0.01, 5.0},
       {"laser_likelihood_max_dist", "m", "Walls farther from the end of a beam are not looked for.",

@@ -37,7 +37,6 @@ OccupancyGrid building() {
 MonteCarloOptions quickOptions() {
   MonteCarloOptions options;
   options.max_particles = 10000;
-  options.likelihood_power = 0.3;
   return options;
 }
 
