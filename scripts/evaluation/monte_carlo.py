@@ -123,7 +123,7 @@ def plot(drives, densities, path):
             axes[1].bar(place, figures[4], color="tab:orange" if name == "Monte-Carlo" else "tab:blue",
                         label=name if variant == VARIANTS[0] and k == 0 else None)
             places.append(place)
-            labels.append("%s\n%s\n%g" % (name.split("-")[0].split(" ")[0], variant, density))
+            labels.append("%s\n%s\n%g" % ("filter" if name == "Monte-Carlo" else "maps", variant, density))
     axes[0].set_ylabel("share of the starts")
     axes[1].set_ylabel("time to a correct answer [s]")
     axes[1].set_xticks(places)
