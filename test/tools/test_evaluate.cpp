@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -102,6 +103,35 @@ TEST_F(EvaluateABag, saysThatTheMapMayBeAnotherBuildings) {
   const ProgramRun done = run("--bag " + bag + " --map " + other + " --truth /ground_truth");
 
   EXPECT_NE(page().find("the map may be another building's"), std::string::npos) << page() << done.output;
+}
+
+TEST_F(EvaluateABag, replaysItWithTheMapperThatWasAskedFor) {
+  const ProgramRun done =
+      run("--bag " + bag + " --map " + map + " --truth /ground_truth --mapper session_mapper --rate 3");
+
+  ASSERT_EQ(done.exit_status, 0) << done.output;
+  EXPECT_NE(page().find("## drive.bag in office.yaml, replayed with session_mapper"), std::string::npos) << page();
+  EXPECT_NE(page().find("| true poses | 181 |"), std::string::npos) << page();
+  EXPECT_NE(page().find("| translation error, mean [m] | 0.0"), std::string::npos) << page();
+  EXPECT_TRUE(std::filesystem::exists(output + "/page/replay.png"));
+}
+
+TEST_F(EvaluateABag, tellsThatAMapperIsNotInstalled) {
+  if (std::system("rospack find gmapping > /dev/null 2>&1") == 0) {
+    GTEST_SKIP() << "slam_gmapping is installed";
+  }
+
+  const ProgramRun done = run("--bag " + bag + " --map " + map + " --truth /ground_truth --mapper gmapping");
+
+  EXPECT_EQ(done.exit_status, 2);
+  EXPECT_NE(done.output.find("slam_gmapping is not installed"), std::string::npos) << done.output;
+}
+
+TEST_F(EvaluateABag, needsTheTruthToReplayIt) {
+  const ProgramRun done = run("--bag " + bag + " --map " + map + " --mapper gmapping");
+
+  EXPECT_EQ(done.exit_status, 2);
+  EXPECT_NE(done.output.find("--mapper is given without --bag, --map and --truth"), std::string::npos) << done.output;
 }
 
 TEST_F(EvaluateABag, needsTheTruthToPutPeopleIntoIt) {
