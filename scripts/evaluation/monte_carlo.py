@@ -89,16 +89,16 @@ def report(planned, page):
               "a second of driving [ms]"]
     return section(
         "Against Monte-Carlo localization without a prior",
-        "The drives of the cold starts once more: MRPT's particle filter (`mrpt::slam::CMonteCarloLocalization2D`) gets "
-        "the same scans and odometry as the mapper, starts every %g s with 50000 particles everywhere in free space, "
+        "The drives of the cold starts once more: MRPT's particle filter (`mrpt::slam::CMonteCarloLocalization2D`) "
+        "gets the same scans and odometry as the mapper, starts every %g s with 50000 particles everywhere in free space, "
         "and is looked at whenever a session map is matched. It has amcl's parameters where it has such (KLD sampling "
         "down to 100 particles, likelihood field, 30 beams, updates after 0.2 m or 30 degrees) and the true noise of "
         "the odometry. It has *converged* when the standard deviation of its particles is below %g m and %g rad; what "
         "it says the first time within %g s is correct (less than %g m off) or wrong. The session maps are judged by "
         "their first match, as above. The error is that of all later estimates and matches of correct starts; update "
         "is the processor time of one update of the particles, or the search time of one session map. amcl itself is "
-        "left out: Debian has no package of it. [monte_carlo.csv](monte_carlo.csv)" % (INTERVAL, SPREAD, TURN, PATIENCE,
-                                                                                    RIGHT),
+        "left out: Debian has no package of it. [monte_carlo.csv](monte_carlo.csv)" % (
+            INTERVAL, SPREAD, TURN, PATIENCE, RIGHT),
         table(header, rows),
         picture("monte_carlo.png", "Share of starts that are correct, wrong and undecided, and the time to the first "
                                    "correct answer."),

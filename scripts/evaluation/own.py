@@ -53,8 +53,8 @@ class Bag:
                    ["search time, mean [s]", Statistics([row["search_time"] for row in rows]).mean],
                    ["position error, mean [m]", errors.mean], ["position error, worst [m]", errors.largest],
                    *figures_of_filter(run)]
-        return section("%s in %s" % (self._arguments.bag.name, self._arguments.map.name), *notes, table(["", ""], figures),
-                       picture("own_times.png", "Time of each query by step."),
+        return section("%s in %s" % (self._arguments.bag.name, self._arguments.map.name), *notes,
+                       table(["", ""], figures), picture("own_times.png", "Time of each query by step."),
                        picture("own_match.png", "Ratio and alignment error."), arguments_of([run]))
 
 

@@ -79,7 +79,7 @@ void Trial::add(const TrialStep& step) {
   past_.erase(past_.begin(), std::find_if(past_.begin(), past_.end(), [&step](const PastPose& pose) {
                 return pose.time >= step.time - kRemembered;
               }));
-  takePending(step.time);
+  takePending(step.time + options_.detection_wait);
   const std::vector<MountedScan> scans = scansFor(step);
   const bool drawn = map(step, scans);
   const bool queried = drawn && (!last_map_ || step.time - *last_map_ > options_.map_update_interval);

@@ -94,10 +94,10 @@ class BagTrial {
     step.truth = truth_ ? truth_->at(step.time) : std::nullopt;
     step.scans.push_back({fromMessage(message), laserMountFrom(mount.transform)});
     const std::optional<DetectedPeople> detections = insertPeople(step);
-    trial_.add(step);
     if (detections) {
       trial_.add(trialDetectionsOf(*detections, 0));
     }
+    trial_.add(step);
   }
 
   /// Puts the crowd into the scan, where the truth tells how the robot stands to it.

@@ -64,6 +64,7 @@ TrialOptions readOptions(const Arguments& arguments) {
     map_matcher::LidarScrubberServerOptions scrubber;
     loadYamlParameters(arguments.scrubber_config, parametersOf(scrubber));
     options.scrubbing = scrubber.scrubbing;
+    options.detection_wait = scrubber.mode == "synchronised" ? scrubber.sync_timeout : 0.0;
   }
   return options;
 }
@@ -84,10 +85,10 @@ void warn(const std::string& text) { std::cerr << "evaluate_drive: warning: " <<
 void simulate(const OccupancyGrid& map, const Arguments& arguments, Trial& trial) {
   map_matcher::DriveSimulation simulation(map, arguments.drive.options());
   while (const auto step = simulation.next()) {
-    trial.add(trialStepOf(*step, simulation.lidarPoses()));
     for (const auto& detections : trialDetectionsOf(*step)) {
       trial.add(detections);
     }
+    trial.add(trialStepOf(*step, simulation.lidarPoses()));
   }
 }
 
@@ -129,10 +130,15 @@ OccupancyGrid placed(const OccupancyGrid& session, const Trial& trial) {
   return {geometry, session.values()};
 }
 
+bool hasPeople(const Arguments& arguments) {
+  const map_matcher::PedestrianOptions people = arguments.drive.options().pedestrians;
+  return people.people != 0 || people.density != 0.0;
+}
+
 /// The people who are to be put into the scans of a recorded drive; null for nobody.
 std::unique_ptr<map_matcher::InsertedCrowd> crowdFor(const Arguments& arguments, const OccupancyGrid& map) {
   const map_matcher::DriveOptions drive = arguments.drive.options();
-  if (drive.pedestrians.people == 0 && drive.pedestrians.density == 0.0) {
+  if (!hasPeople(arguments)) {
     return nullptr;
   }
   if (arguments.recorded.truth_topic.empty()) {
@@ -146,6 +152,11 @@ std::unique_ptr<map_matcher::InsertedCrowd> crowdFor(const Arguments& arguments,
 }
 
 void playRecorded(const Arguments& arguments, const OccupancyGrid& map, Trial& trial) {
+  if (readOptions(arguments).detection_wait > 0.0 && !arguments.recorded.detection_topics.empty()) {
+    warn(
+        "mode is synchronised, but scans do not wait for recorded detections, which apply to later scans as with "
+        "cached");
+  }
   const std::unique_ptr<map_matcher::InsertedCrowd> crowd = crowdFor(arguments, map);
   const map_matcher::BagTrialResult played = playBag(arguments.recorded, trial, crowd.get());
   if (played.scans_left_out > 0 || played.detections_left_out > 0) {
@@ -164,20 +175,25 @@ void play(const Arguments& arguments, const OccupancyGrid& map, const OccupancyG
   if (!arguments.monte_carlo.empty()) {
     monte_carlo.emplace(reference, monteCarloOptions(arguments));
   }
-  map_matcher::TruthFit fit(reference);
+  std::optional<map_matcher::TruthFit> fit;
+  if (isRecorded(arguments) && !hasPeople(arguments)) {  // simulated people are no walls, and simulated truth is true
+    fit.emplace(reference);
+  }
   trial.onMoment([&](const map_matcher::TrialMoment& moment) {
-    fit.add(moment);
+    if (fit) {
+      fit->add(moment);
+    }
     if (monte_carlo) {
       monte_carlo->add(moment);
     }
   });
   if (isRecorded(arguments)) {
     playRecorded(arguments, map, trial);
-    if (const auto problem = fit.problem()) {
-      warn(*problem);
-    }
   } else {
     simulate(map, arguments, trial);
+  }
+  if (const auto problem = fit ? fit->problem() : std::nullopt) {
+    warn(*problem);
   }
   if (monte_carlo) {
     write(arguments.monte_carlo, toCsv(monte_carlo->rows()));

@@ -46,10 +46,9 @@ class RecordedTrial : public testing::Test {
   }
 
   BagTrialResult play(InsertedCrowd* crowd = nullptr) {
-    TrialOptions options;
-    options.map_update_interval = 1.0;
-    options.scrub = scrub;
-    trial.emplace(test::twoRooms(), options);
+    trial_options.map_update_interval = 1.0;
+    trial_options.scrub = scrub;
+    trial.emplace(test::twoRooms(), trial_options);
     scans.clear();
     trial->onMoment([this](const TrialMoment& moment) { scans.push_back(moment.scans.front().scan); });
     return playBag(request, *trial, crowd);
@@ -87,6 +86,7 @@ class RecordedTrial : public testing::Test {
   const test::TemporaryDir dir;
   BagTrialRequest request;
   bool scrub = true;
+  TrialOptions trial_options;
   std::optional<Trial> trial;
   std::vector<PlanarScan> scans;  // as the mapper got them
 };
@@ -245,6 +245,21 @@ TEST_F(CrowdInARecordedDrive, IsTakenOutByTheScrubber) {
   playAmongPeople();
 
   EXPECT_GT(numDifferent(crowded, scans, isGone), on_legs / 2);
+}
+
+TEST_F(CrowdInARecordedDrive, IsTakenOutOfTheVeryScansThatWaitForItsDetections) {
+  crowd_options.detector.latency = 0.045;
+  trial_options.scrubbing.cache.cache_duration = 0.0;  // detections apply to their own scan only
+  playAmongPeople();
+  const std::vector<PlanarScan> crowded = scans;
+  scrub = true;
+
+  playAmongPeople();
+  EXPECT_EQ(numDifferent(crowded, scans, isAny), 0) << "no scan waited";
+
+  trial_options.detection_wait = 0.1;
+  playAmongPeople();
+  EXPECT_GT(numDifferent(crowded, scans, isGone), 20);
 }
 
 TEST_F(CrowdInARecordedDrive, IsTheSameForTheSameSeedOnly) {

@@ -40,6 +40,7 @@ struct TrialOptions {
   double restart_interval = 0.0;     ///< [s] The session map is thrown away so often (report figure 20); 0: never.
   bool scrub = false;                ///< Whether scans are scrubbed before the mapper sees them.
   ScrubbingOptions scrubbing;
+  double detection_wait = 0.0;  ///< [s] So long a scan waits for the detections made from it; 0: it never waits.
   MatchOptions match;
 };
 
@@ -83,7 +84,8 @@ class Trial {
   /// range.
   Trial(const OccupancyGrid& reference, const TrialOptions& options);
 
-  /// Detections, in the order of their arrival; they apply to steps from then on.
+  /// Detections, in the order of their arrival; they apply to steps from then on. Those that a step is to wait for come
+  /// before it.
   void add(const TrialDetections& detections);
 
   /// The next instant, in the order of time.
