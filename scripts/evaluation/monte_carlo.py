@@ -95,13 +95,14 @@ def report(planned, page):
         "The drives of the cold starts once more: MRPT's particle filter (`mrpt::slam::CMonteCarloLocalization2D`) "
         "gets the same scans and odometry as the mapper, starts every %g s without a pose, and is looked at whenever a "
         "session map is matched. It has amcl's parameters where it has such (KLD sampling down to 100 particles, "
-        "likelihood field, 30 beams, updates after 0.2 m or 30 degrees), 50000 particles at first where amcl has 5000, "
-        "the true noise of the odometry, and likelihoods to the power of 0.3, with which it did best. It has *converged* "
-        "when the standard deviation of its particles is below %g m and %g rad; what it says the first time within "
-        "%g s is correct (less than %g m off) or wrong. The session maps are judged by their first match, as above. The "
-        "error is that of all later estimates and matches of correct starts; update is the processor time of one update "
-        "of the particles, or the search time of one session map without the time to draw it. amcl itself is left out: "
-        "Debian has no package of it. [monte_carlo.csv](monte_carlo.csv)" % (INTERVAL, SPREAD, TURN, PATIENCE, RIGHT),
+        "likelihood field, 30 beams, updates after 0.2 m or 30 degrees), 50000 particles at first where amcl has "
+        "5000, the true noise of the odometry, and likelihoods to the power of 0.3, with which it does better without "
+        "people than with 1 or 0.1. It has *converged* when the standard deviation of its particles is below %g m and "
+        "%g rad; what it says the first time within %g s is correct (less than %g m off) or wrong. The session maps "
+        "are judged by their first match, as above. The error is that of all later estimates and matches of correct "
+        "starts; update is the processor time of one update of the particles, or the search time of one session map "
+        "without the time to draw it. amcl itself is left out: Debian has no package of it. "
+        "[monte_carlo.csv](monte_carlo.csv)" % (INTERVAL, SPREAD, TURN, PATIENCE, RIGHT),
         table(header, rows),
         picture("monte_carlo.png", "Share of starts that are correct, wrong and undecided, and the time to the first "
                                    "correct answer."),
