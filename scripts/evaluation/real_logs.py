@@ -24,9 +24,10 @@ def plan(runs, arguments):
         for density in (0, 0.3) if arguments.quick else (0, 0.3, 1):
             for variant in VARIANTS if density else VARIANTS[:1]:  # where nobody is, nobody is detected
                 people = ["--density", density, "--standing-share", 0.5, "--seed", 1] if density else []
+                scrub = ["--scrub", "--scrubber-config", scrubber] if variant == "scrubbed" else []
                 drives[bag, density, variant] = runs.drive("real_logs_%s_%g_%s" % (bag, density, variant), [
                     "--bag", path, "--reference", reference, "--truth", "/ground_truth", "--mapper-config", config,
-                    "--restart-interval", interval, *people, *(["--scrub", "--scrubber-config", scrubber] if variant == "scrubbed" else [])])
+                    "--restart-interval", interval, *people, *scrub])
     return drives
 
 
