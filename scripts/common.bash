@@ -49,6 +49,11 @@ parallel_jobs() {
   echo $((memory < 1 ? 1 : memory < processors ? memory : processors))
 }
 
+# A port that no other ROS master uses.
+free_port() {
+  python3 -c 'import socket; s = socket.socket(); s.bind(("127.0.0.1", 0)); print(s.getsockname()[1])'
+}
+
 if [ -e /opt/ros/noetic/setup.bash ]; then
   source_setup /opt/ros/noetic/setup.bash
 fi

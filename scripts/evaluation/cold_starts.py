@@ -21,7 +21,7 @@ def plan(runs, arguments):
                 runs.drive("cold_starts_%g_%s_%d" % (density, variant, seed), [
                     *world, "--duration", (60 if arguments.quick else 300) - 0.1, "--seed", seed, "--density", density,
                     "--standing-share", 0.5, "--mapper-config", config, "--restart-interval", INTERVAL,
-                    *(["--scrub"] if variant == "scrubbed" else [])])
+                    *(["--scrub"] if variant == "scrubbed" else [])], monte_carlo=True)
                 for seed in ((1,) if arguments.quick else (1, 2, 3))]
     return runs, drives
 

@@ -3,15 +3,18 @@ report(plan, page), which draws figures into the directory of the page and retur
 import cold_starts
 import crowd
 import mapping
+import monte_carlo
 import own
 import real_logs
+import replay
 import static
 
-ALL = [static, crowd, cold_starts, mapping, real_logs]
+ALL = [static, crowd, cold_starts, mapping, monte_carlo, real_logs]
 
 
 def own_bag(arguments):
-    return own.Bag(arguments)
+    """Offline with session_mapper, or with a mapper that is asked for through replay."""
+    return replay.Replay(arguments) if arguments.mapper else own.Bag(arguments)
 
 
 def write_page(page, parts, arguments):
@@ -20,5 +23,5 @@ def write_page(page, parts, arguments):
     head = ["# Evaluation" + kind, "",
             "Written by `scripts/evaluate`; do not edit. Each table and figure comes from the CSV file named beside it, "
             "each row of which holds the run it belongs to; the runs' arguments, seeds included, are listed at the "
-            "end of each part. Session maps are drawn by session_mapper.", ""]
+            "end of each part. Session maps are drawn by %s." % (arguments.mapper or "session_mapper"), ""]
     (page / "README.md").write_text("\n".join(head + parts), encoding="utf-8")

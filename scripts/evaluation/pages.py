@@ -38,13 +38,13 @@ def arguments_of(runs):
     return "\n".join(lines + ["```", "", "</details>"])
 
 
-def write_table(path, runs, columns):
+def write_table(path, runs, columns, rows_of=lambda run: run.rows()):
     """The given columns of all rows of the runs, with the name of the run before them."""
     with open(path, "w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(["run", *columns])
         for run in runs:
-            for row in run.rows():
+            for row in rows_of(run):
                 writer.writerow([run.name, *["" if row.get(c) is None else text(row[c]) for c in columns]])
 
 
@@ -68,6 +68,7 @@ STEPS = ("initialization", "rotation_expansion", "depth_first_search")
 STEP_NAMES = ("initialization", "expansion of the rotation nodes", "depth-first search")
 COLUMNS = ["session", "time", "session_age", "travelled", "status", "ratio", "search_time", "coarse_ratio",
            *["coarse_%s_time" % step for step in STEPS], "fine_ratio", *["fine_%s_time" % step for step in STEPS],
+           "certified", "hit_ratio", "upper_bound", "margin", "exact_time",
            "alignment_x_error", "alignment_y_error", "alignment_yaw_error", "truth_x", "truth_y", "translation_error",
            "rotation_error", "occupied", "falsely_occupied"]
 

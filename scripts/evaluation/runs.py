@@ -22,30 +22,46 @@ class Run:
         self._record = directory / (name + ".json")
 
     def done(self):
+        record = self._read_record()
+        return record.get("arguments") == self.arguments and all(path.exists() for path in self.outputs)
+
+    def _read_record(self):
         try:
             with open(self._record, encoding="utf-8") as file:
-                record = json.load(file)
+                return json.load(file)
         except (OSError, ValueError):
-            return False
-        return record["arguments"] == self.arguments and all(path.exists() for path in self.outputs)
+            return {}
 
     def carry_out(self):
         """Returns what went wrong, or an empty text."""
         done = subprocess.run([self.program, *self.arguments], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                               check=False)
+        lines = done.stdout.decode().strip().split("\n")
         if done.returncode != 0:
-            self.problem = done.stdout.decode().strip().split("\n")[-1] or "exit status %d" % done.returncode
+            self.problem = lines[-1] or "exit status %d" % done.returncode
             return self.problem
+        warnings = [line.split("warning: ", 1)[1] for line in lines if "warning: " in line]
         with open(self._record, "w", encoding="utf-8") as file:
-            json.dump({"arguments": self.arguments}, file)
+            json.dump({"arguments": self.arguments, "warnings": warnings}, file)
         return ""
+
+    def warnings(self):
+        """What the program warned of when the run was done."""
+        return self._read_record().get("warnings", [])
 
     def rows(self):
         """The rows of its CSV file with numbers where there are numbers, None where there is nothing; none of a run
         that failed."""
-        if self.problem or not self.outputs[0].exists():
+        return self._rows_of(self.outputs[0])
+
+    def side_rows(self):
+        """The same of its second table, which is about what the drive is compared with."""
+        return self._rows_of(self.outputs[1])
+
+    def _rows_of(self, path):
+        if self.problem or not path.exists():
             return []
-        with open(self.outputs[0], newline="", encoding="utf-8") as file:
+        with open(path, newline="", encoding="utf-8") as file:
             return [{name: number(text) for name, text in row.items()} for row in csv.DictReader(file)]
 
 
@@ -75,10 +91,18 @@ class Runs:
         self.all.append(run)
         return run
 
-    def drive(self, name, arguments, phase=1):
-        """A run of evaluate_drive; its first output is the table."""
-        table = self.path(name + ".csv")
-        return self.add(name, "evaluate_drive", ["--output", table, *arguments], [table], phase)
+    def drive(self, name, arguments, phase=1, monte_carlo=False):
+        """A run of evaluate_drive; its first output is the table, the second one that of Monte-Carlo localization. The
+        same name is the same run."""
+        for run in self.all:
+            if run.name == name:
+                return run
+        outputs = [self.path(name + ".csv")]
+        options = ["--output", outputs[0]]
+        if monte_carlo:
+            outputs.append(self.path(name + "_monte_carlo.csv"))
+            options += ["--monte-carlo", outputs[1]]
+        return self.add(name, "evaluate_drive", [*options, *arguments], outputs, phase)
 
     def write_config(self, name, **parameters):
         path = self.path(name + ".yaml")

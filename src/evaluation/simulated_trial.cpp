@@ -10,15 +10,19 @@ TrialStep trialStepOf(const DriveStep& step, const std::vector<Rigid2>& T_base_l
   return trial_step;
 }
 
+TrialDetections trialDetectionsOf(const DetectedPeople& found, std::size_t laser) {
+  TrialDetections detections{found.time, found.arrival, laser, {}};
+  for (const DetectedPerson& person : found.people) {
+    detections.detections.push_back({{person.position.x(), person.position.y(), 0.0}, person.score});
+  }
+  return detections;
+}
+
 std::vector<TrialDetections> trialDetectionsOf(const DriveStep& step) {
   std::vector<TrialDetections> all;
   for (std::size_t laser = 0; laser < step.detections.size(); ++laser) {
-    if (const auto& found = step.detections[laser]) {
-      TrialDetections detections{found->time, found->arrival, laser, {}};
-      for (const DetectedPerson& person : found->people) {
-        detections.detections.push_back({{person.position.x(), person.position.y(), 0.0}, person.score});
-      }
-      all.push_back(std::move(detections));
+    if (step.detections[laser]) {
+      all.push_back(trialDetectionsOf(*step.detections[laser], laser));
     }
   }
   return all;

@@ -7,6 +7,7 @@
 
 #include "map_matcher/evaluation/map_quality.hpp"
 #include "map_matcher/parameters/option_check.hpp"
+#include "map_matcher/scrubbing/range_removal.hpp"
 
 namespace map_matcher {
 namespace {
@@ -78,22 +79,45 @@ void Trial::add(const TrialStep& step) {
   past_.erase(past_.begin(), std::find_if(past_.begin(), past_.end(), [&step](const PastPose& pose) {
                 return pose.time >= step.time - kRemembered;
               }));
-  takePending(step.time);
-  mounts_.clear();
-  for (const TrialScan& scan : step.scans) {
-    mounts_.push_back(scan.mount);
-  }
-  bool drawn = false;
-  for (const TrialScan& scan : step.scans) {
-    const ScanReport report =
-        mapper_.addScan(step.T_odom_base, options_.scrub ? scrubbed(scan, step) : scan.scan, scan.mount);
-    drawn = drawn || report.outcome == ScanOutcome::kDrawn;
-  }
-  cache_.forget(stampOf(step.time));
-  if (drawn && (!last_map_ || step.time - *last_map_ > options_.map_update_interval)) {
+  takePending(step.time + options_.detection_wait);
+  const std::vector<MountedScan> scans = scansFor(step);
+  const bool drawn = map(step, scans);
+  const bool queried = drawn && (!last_map_ || step.time - *last_map_ > options_.map_update_interval);
+  if (queried) {
     last_map_ = step.time;
     match(step);
   }
+  if (on_moment_) {
+    on_moment_(
+        {step.time, session_, step.time - session_start_, travelled_, step.T_odom_base, step.truth, scans, queried});
+  }
+}
+
+/// The scans as the mapper is to see them.
+std::vector<MountedScan> Trial::scansFor(const TrialStep& step) {
+  if (!options_.scrub) {
+    return step.scans;
+  }
+  mounts_.clear();
+  for (const MountedScan& scan : step.scans) {
+    mounts_.push_back(scan.mount);
+  }
+  std::vector<MountedScan> scans;
+  for (const MountedScan& scan : step.scans) {
+    scans.push_back({scrubbed(scan, step), scan.mount});
+  }
+  cache_.forget(stampOf(step.time));
+  return scans;
+}
+
+/// Whether any of the scans was drawn.
+bool Trial::map(const TrialStep& step, const std::vector<MountedScan>& scans) {
+  bool drawn = false;
+  for (const MountedScan& scan : scans) {
+    const ScanReport report = mapper_.addScan(step.T_odom_base, scan.scan, scan.mount);
+    drawn = drawn || report.outcome == ScanOutcome::kDrawn;
+  }
+  return drawn;
 }
 
 void Trial::beginSession(const TrialStep& step) {
@@ -119,22 +143,14 @@ void Trial::takePending(double time) {
   pending_.erase(end, pending_.end());
 }
 
-PlanarScan Trial::scrubbed(const TrialScan& scan, const TrialStep& step) {
+PlanarScan Trial::scrubbed(const MountedScan& scan, const TrialStep& step) {
   const std::vector<Disc>& discs =
       cache_.discsAt(stampOf(step.time), [&](const DetectionSet& set) { return poseOf(set, scan, step); });
-  const std::vector<std::uint32_t>& beams = scrubber_.beamsInside(scan.scan, scan.scan.ranges, discs);
-  PlanarScan result = scan.scan;
-  if (static_cast<double>(beams.size()) <= options_.scrubbing.max_removed_fraction * scrubber_.numPoints()) {
-    const float range = removedRange(options_.scrubbing.removed_range, scan.scan);
-    for (const std::uint32_t beam : beams) {
-      result.ranges[beam] = range;
-    }
-  }
-  return result;
+  return {scan.scan, removeRanges(scan.scan, scan.scan.ranges, discs, options_.scrubbing, scrubber_).ranges};
 }
 
 /// Through the odometry at the time of the detections, as tf would.
-std::optional<Eigen::Isometry3d> Trial::poseOf(const DetectionSet& set, const TrialScan& scan,
+std::optional<Eigen::Isometry3d> Trial::poseOf(const DetectionSet& set, const MountedScan& scan,
                                                const TrialStep& step) const {
   const double time = seconds(set.stamp);
   const auto nearest = std::min_element(past_.begin(), past_.end(), [time](const PastPose& a, const PastPose& b) {

@@ -1,34 +1,11 @@
 #include "map_matcher/evaluation/trial_table.hpp"
 
 #include <optional>
-#include <sstream>
 
-#include "map_matcher/parameters/number_text.hpp"
+#include "csv_row.hpp"
 
 namespace map_matcher {
 namespace {
-
-/// A line of cells separated by commas.
-class Row {
- public:
-  void add(const std::string& text) {
-    line_ << (empty_ ? "" : ",") << text;
-    empty_ = false;
-  }
-  void add(double value) { add(numberText(value)); }
-  void add(const std::optional<double>& value) { add(value ? numberText(*value) : std::string()); }
-  void add(const std::optional<Rigid2>& pose) {
-    for (double Rigid2::*field : {&Rigid2::x, &Rigid2::y, &Rigid2::yaw}) {
-      add(pose ? numberText((*pose).*field) : std::string());
-    }
-  }
-
-  std::string line() const { return line_.str() + "\n"; }
-
- private:
-  std::ostringstream line_;
-  bool empty_ = true;
-};
 
 const StageReport* stageOf(const MatchResult& result, const std::string& name) {
   for (const StageReport& stage : result.stages) {
@@ -39,7 +16,7 @@ const StageReport* stageOf(const MatchResult& result, const std::string& name) {
   return nullptr;
 }
 
-void addStage(Row& row, const StageReport* stage) {
+void addStage(CsvRow& row, const StageReport* stage) {
   const auto value = [stage](double StageReport::*field) {
     return stage != nullptr ? std::optional<double>(stage->*field) : std::nullopt;
   };
@@ -47,6 +24,19 @@ void addStage(Row& row, const StageReport* stage) {
   row.add(value(&StageReport::initialization_time));
   row.add(value(&StageReport::rotation_expansion_time));
   row.add(value(&StageReport::depth_first_search_time));
+}
+
+/// What the exact search says; nothing where it did not run.
+void addProof(CsvRow& row, const MatchResult& result) {
+  const StageReport* exact = stageOf(result, "exact");
+  const auto known = [exact](double value) { return exact != nullptr ? std::optional<double>(value) : std::nullopt; };
+  row.add(known(result.certified ? 1.0 : 0.0));
+  row.add(known(result.hit_ratio));
+  row.add(known(result.upper_bound));
+  row.add(known(result.margin));
+  row.add(exact != nullptr ? std::optional<double>(exact->initialization_time + exact->rotation_expansion_time +
+                                                   exact->depth_first_search_time)
+                           : std::nullopt);
 }
 
 /// Difference of two poses in the coordinates of the reference map.
@@ -69,6 +59,7 @@ constexpr const char* kHeader =
     "session,time,session_age,travelled,status,matched,ratio,search_time,"
     "coarse_ratio,coarse_initialization_time,coarse_rotation_expansion_time,coarse_depth_first_search_time,"
     "fine_ratio,fine_initialization_time,fine_rotation_expansion_time,fine_depth_first_search_time,"
+    "certified,hit_ratio,upper_bound,margin,exact_time,"
     "alignment_x,alignment_y,alignment_yaw,alignment_x_error,alignment_y_error,alignment_yaw_error,"
     "heading_drift,estimate_x,estimate_y,estimate_yaw,truth_x,truth_y,truth_yaw,translation_error,rotation_error,"
     "occupied,falsely_occupied\n";
@@ -77,7 +68,7 @@ std::string rowOf(const TrialQuery& query) {
   const MatchResult& result = query.result;
   const std::optional<Rigid2> alignment = query.alignment();
   const std::optional<PoseError> error = query.robotError();
-  Row row;
+  CsvRow row;
   row.add(query.session);
   row.add(query.time);
   row.add(query.session_age);
@@ -88,6 +79,7 @@ std::string rowOf(const TrialQuery& query) {
   row.add(result.search_time);
   addStage(row, stageOf(result, "coarse"));
   addStage(row, stageOf(result, "fine"));
+  addProof(row, result);
   row.add(alignment);
   row.add(difference(alignment, query.true_alignment));
   row.add(headingDrift(query));

@@ -1,37 +1,31 @@
 #include "map_matcher/ros/bag_mapping.hpp"
 
 #include <rosbag/view.h>
-#include <tf2/exceptions.h>
 #include <tf2_msgs/TFMessage.h>
 
-#include <deque>
 #include <sstream>
 
 #include "map_matcher/ros/bag_reading.hpp"
+#include "map_matcher/ros/bag_scan_queue.hpp"
 
 namespace map_matcher {
 namespace {
 
-const ros::Duration kTfPatience(1.0);  // how long after a scan its transforms may come
 const ros::Duration kTfHistory(30.0);  // transforms kept
-
-struct WaitingScan {
-  sensor_msgs::LaserScan::ConstPtr scan;
-  ros::Time recorded;
-};
 
 /// Goes through a bag once. Scans wait until their transforms have come.
 class BagMapping {
  public:
   BagMapping(const BagMappingRequest& request, const std::function<void(const SessionSnapshot&)>& on_map)
-      : request_(request), on_map_(on_map), mapping_(request.options), tf_(kTfHistory) {
+      : request_(request),
+        on_map_(on_map),
+        mapping_(request.options),
+        tf_(kTfHistory),
+        queue_([this](const sensor_msgs::LaserScan& scan) { add(scan); }) {
     openBag(bag_, request.bag);
     const BagTopics topics = topicsOf(bag_);
     result_.scan_topic = chooseScanTopic(request.bag, topics, request.scan_topic);
-    if (topics.count("/tf") == 0) {
-      throw BagError("bag '" + request.bag + "' has no /tf, expected the transforms from " +
-                     request.options.odom_frame + " to the laser; it has " + listed(topics));
-    }
+    requireTransforms(request.bag, topics, request.options.odom_frame);
     rosbag::View all(bag_);
     result_.begin = all.getBeginTime();
     checkTimes(all.getEndTime() - all.getBeginTime());
@@ -39,7 +33,7 @@ class BagMapping {
 
   BagMappingResult run() {
     takeStaticTransforms(bag_, tf_);
-    const ros::Time first = result_.begin + ros::Duration(std::max(0.0, request_.from - kTfPatience.toSec()));
+    const ros::Time first = result_.begin + ros::Duration(std::max(0.0, request_.from - BagScanQueue::kPatience));
     rosbag::View view(bag_, rosbag::TopicQuery({std::string("/tf"), result_.scan_topic}), first, last());
     for (const rosbag::MessageInstance& message : view) {
       if (const auto transforms = message.instantiate<tf2_msgs::TFMessage>()) {
@@ -47,16 +41,19 @@ class BagMapping {
       } else if (const auto scan = message.instantiate<sensor_msgs::LaserScan>()) {
         enqueue(scan, message.getTime());
       }
-      drainQueue(message.getTime() - kTfPatience);
+      queue_.release(message.getTime());
     }
-    drainQueue(ros::TIME_MAX);
+    queue_.releaseAll();
+    result_.scans_without_tf = queue_.withoutTransforms();
+    result_.scans_refused = queue_.refused();
+    result_.last_problem = queue_.lastProblem();
     finish();
     return result_;
   }
 
  private:
   ros::Time last() const {
-    return request_.until ? result_.begin + ros::Duration(*request_.until) + kTfPatience : ros::TIME_MAX;
+    return request_.until ? result_.begin + ros::Duration(*request_.until + BagScanQueue::kPatience) : ros::TIME_MAX;
   }
 
   void checkTimes(const ros::Duration& duration) const {
@@ -74,25 +71,7 @@ class BagMapping {
     const double time = (recorded - result_.begin).toSec();
     if (time >= request_.from && (!request_.until || time <= *request_.until)) {
       ++result_.scans;
-      queue_.push_back({scan, recorded});
-    }
-  }
-
-  /// Hands over the scans whose transforms are there, and gives up those recorded before `deadline`.
-  void drainQueue(const ros::Time& deadline) {
-    for (; !queue_.empty(); queue_.pop_front()) {
-      try {
-        add(*queue_.front().scan);
-      } catch (const tf2::TransformException& error) {
-        if (queue_.front().recorded >= deadline) {
-          return;
-        }
-        ++result_.scans_without_tf;
-        result_.last_problem = error.what();
-      } catch (const std::runtime_error& error) {
-        ++result_.scans_refused;
-        result_.last_problem = error.what();
-      }
+      queue_.add(scan, recorded);
     }
   }
 
@@ -126,7 +105,7 @@ class BagMapping {
   SessionMapping mapping_;
   tf2::BufferCore tf_;
   rosbag::Bag bag_;
-  std::deque<WaitingScan> queue_;
+  BagScanQueue queue_;
   BagMappingResult result_;
   bool drawn_since_map_ = false;
 };

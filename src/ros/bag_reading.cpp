@@ -1,13 +1,18 @@
 #include "map_matcher/ros/bag_reading.hpp"
 
+#include <geometry_msgs/PoseArray.h>
+#include <map_matcher/PersonDetections.h>
 #include <rosbag/view.h>
 
 #include "map_matcher/ros/conversions.hpp"
+#include "map_matcher/ros/detection_messages.hpp"
 
 namespace map_matcher {
 namespace {
 
 const char* const kScanType = "sensor_msgs/LaserScan";
+const char* const kPosesType = "geometry_msgs/PoseArray";
+const char* const kDetectionsType = "map_matcher/PersonDetections";
 
 }  // namespace
 
@@ -63,6 +68,40 @@ std::string chooseScanTopic(const std::string& bag, const BagTopics& topics, con
                    ", expected the choice of one: " + listed(scans));
   }
   return scans.begin()->first;
+}
+
+std::vector<std::string> chooseDetectionTopics(const std::string& bag, const BagTopics& topics,
+                                               const std::vector<std::string>& asked) {
+  std::vector<std::string> chosen;
+  for (const std::string& name : asked) {
+    const std::string topic = chooseTopic(bag, topics, name);
+    const std::string& type = topics.at(topic);
+    if (type != kPosesType && type != kDetectionsType) {
+      throw BagError("topic '" + topic + "' of bag '" + bag + "' is " + type + ", expected " + kPosesType + " or " +
+                     kDetectionsType + "; the bag has " + listed(topics));
+    }
+    chosen.push_back(topic);
+  }
+  return chosen;
+}
+
+DetectionSet readDetections(const rosbag::MessageInstance& message) {
+  if (const auto scored = message.instantiate<PersonDetections>()) {
+    return fromMessage(*scored, message.getTopic());
+  }
+  const auto poses = message.instantiate<geometry_msgs::PoseArray>();
+  if (!poses) {
+    throw MessageError("topic '" + message.getTopic() + "' holds " + message.getDataType() + ", expected " +
+                       kPosesType + " or " + kDetectionsType);
+  }
+  return fromMessage(*poses, message.getTopic());
+}
+
+void requireTransforms(const std::string& bag, const BagTopics& topics, const std::string& odom_frame) {
+  if (topics.count("/tf") == 0) {
+    throw BagError("bag '" + bag + "' has no /tf, expected the transforms from " + odom_frame +
+                   " to the laser; it has " + listed(topics));
+  }
 }
 
 void openBag(rosbag::Bag& bag, const std::string& path) {

@@ -37,9 +37,7 @@ class BagScrubbing {
     openBag(bag_, request.bag);
     const BagTopics topics = topicsOf(bag_);
     result_.scan_topic = chooseScanTopic(request.bag, topics, request.scan_topic);
-    for (const std::string& topic : request.options.detection_topics) {
-      detection_topics_.push_back(chooseTopic(request.bag, topics, topic));
-    }
+    detection_topics_ = chooseDetectionTopics(request.bag, topics, request.options.detection_topics);
     if (!request.people_topic.empty()) {
       readPeople(chooseTopic(request.bag, topics, request.people_topic));
     }
@@ -116,15 +114,7 @@ class BagScrubbing {
 
   void onDetections(const rosbag::MessageInstance& message) {
     try {
-      DetectionSet set;
-      if (const auto poses = message.instantiate<geometry_msgs::PoseArray>()) {
-        set = fromMessage(*poses, message.getTopic());
-      } else if (const auto scored = message.instantiate<PersonDetections>()) {
-        set = fromMessage(*scored, message.getTopic());
-      } else {
-        throw BagError("topic '" + message.getTopic() + "' of bag '" + request_.bag + "' is " + message.getDataType() +
-                       ", expected geometry_msgs/PoseArray or map_matcher/PersonDetections");
-      }
+      DetectionSet set = readDetections(message);
       applyLimits(set, request_.options.scrubbing.limits);
       result_.detections += static_cast<std::int64_t>(set.detections.size());
       waiting_.onDetections(set.frame, set.stamp);

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <boost/make_shared.hpp>
+#include <utility>
 
 #include "map_matcher/ros/conversions.hpp"
 #include "map_matcher/ros/detection_messages.hpp"
 #include "map_matcher/ros/scan_conversions.hpp"
+#include "map_matcher/scrubbing/range_removal.hpp"
 
 namespace map_matcher {
 
@@ -33,21 +35,15 @@ std::optional<std::string> PeopleRemoval::onScan(const sensor_msgs::LaserScan& s
 ScrubbedScan PeopleRemoval::scrub(const sensor_msgs::LaserScanConstPtr& scan) {
   const std::string frame = frameOf(scan->header);
   const Stamp stamp = stampOf(scan->header.stamp);
-  const ScanLayout layout = layoutOf(*scan);
   discs_ = cache_.discsAt(stamp, [&](const DetectionSet& set) { return poseOf(set, {frame, stamp}); });
   cache_.forget(stamp);
-  const std::vector<std::uint32_t>& beams = scrubber_.beamsInside(layout, scan->ranges, discs_);
-  ScrubbedScan scrubbed{scan, {}, beams.size(), scrubber_.numPoints()};
-  if (beams.empty() || static_cast<double>(beams.size()) > options_.max_removed_fraction * scrubbed.points) {
-    return scrubbed;
+  RangeRemoval removal = removeRanges(layoutOf(*scan), scan->ranges, discs_, options_, scrubber_);
+  ScrubbedScan scrubbed{scan, std::move(removal.removed), removal.near_people, removal.points};
+  if (!scrubbed.removed.empty()) {
+    const auto message = boost::make_shared<sensor_msgs::LaserScan>(*scan);
+    message->ranges = std::move(removal.ranges);
+    scrubbed.scan = message;
   }
-  const auto message = boost::make_shared<sensor_msgs::LaserScan>(*scan);
-  const float range = removedRange(options_.removed_range, layout);
-  for (const std::uint32_t beam : beams) {
-    message->ranges[beam] = range;
-  }
-  scrubbed.scan = message;
-  scrubbed.removed = beams;
   return scrubbed;
 }
 

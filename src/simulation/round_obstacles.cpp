@@ -69,8 +69,8 @@ RaysOnCircles castOnCircles(const std::vector<Circle>& circles, const Rigid2& T_
   return nearest;
 }
 
-PlanarScan insertCircles(const PlanarScan& scan, const std::vector<Circle>& circles, const Rigid2& T_map_lidar,
-                         double sigma, RandomNumbers& noise) {
+LidarView insertCircles(const PlanarScan& scan, const std::vector<Circle>& circles, const Rigid2& T_map_lidar,
+                        double sigma, RandomNumbers& noise) {
   std::vector<double> background(scan.ranges.size(), kInfinity);
   for (std::size_t i = 0; i < background.size(); ++i) {
     const double range = scan.ranges[i];
@@ -80,12 +80,13 @@ PlanarScan insertCircles(const PlanarScan& scan, const std::vector<Circle>& circ
   }
   const RaysOnCircles nearest =
       castOnCircles(circles, T_map_lidar, {scan.angle_min, scan.angle_increment, scan.range_max}, background);
-  PlanarScan among = scan;
+  LidarView among{scan, std::vector<int>(circles.size(), 0)};
   for (std::size_t i = 0; i < background.size(); ++i) {
     if (nearest.circles[i]) {
       const double range = nearest.distances[i] + sigma * noise.gaussian();
       const bool returned = range >= scan.range_min && range <= scan.range_max;
-      among.ranges[i] = returned ? static_cast<float>(range) : std::numeric_limits<float>::infinity();
+      among.scan.ranges[i] = returned ? static_cast<float>(range) : std::numeric_limits<float>::infinity();
+      among.rays_on[*nearest.circles[i]] += returned ? 1 : 0;
     }
   }
   return among;

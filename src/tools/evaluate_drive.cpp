@@ -3,14 +3,17 @@
 #include <CLI/CLI.hpp>
 #include <fstream>
 #include <iostream>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "command_line.hpp"
 #include "drive_arguments.hpp"
+#include "map_matcher/evaluation/monte_carlo_trial.hpp"
 #include "map_matcher/evaluation/overlay_image.hpp"
 #include "map_matcher/evaluation/simulated_trial.hpp"
 #include "map_matcher/evaluation/trial_table.hpp"
+#include "map_matcher/evaluation/truth_fit.hpp"
 #include "map_matcher/grid/map_file.hpp"
 #include "map_matcher/parameters/yaml_parameters.hpp"
 #include "map_matcher/ros/bag_trial.hpp"
@@ -34,8 +37,10 @@ struct Arguments {
   std::string config;
   std::string mapper_config;
   std::string scrubber_config;
+  std::string monte_carlo_config;
   TrialOptions trial;
   std::string output;
+  std::string monte_carlo;
   std::string session;
   bool place_session = false;
   std::string first_overlay;
@@ -59,17 +64,31 @@ TrialOptions readOptions(const Arguments& arguments) {
     map_matcher::LidarScrubberServerOptions scrubber;
     loadYamlParameters(arguments.scrubber_config, parametersOf(scrubber));
     options.scrubbing = scrubber.scrubbing;
+    options.detection_wait = scrubber.mode == "synchronised" ? scrubber.sync_timeout : 0.0;
   }
   return options;
 }
 
+map_matcher::MonteCarloOptions monteCarloOptions(const Arguments& arguments) {
+  map_matcher::MonteCarloOptions options;
+  if (!arguments.monte_carlo_config.empty()) {
+    loadYamlParameters(arguments.monte_carlo_config, parametersOf(options));
+  }
+  options.seed = arguments.drive.options().seed;
+  return options;
+}
+
+bool isRecorded(const Arguments& arguments) { return !arguments.recorded.bag.empty(); }
+
+void warn(const std::string& text) { std::cerr << "evaluate_drive: warning: " << text << '\n'; }
+
 void simulate(const OccupancyGrid& map, const Arguments& arguments, Trial& trial) {
   map_matcher::DriveSimulation simulation(map, arguments.drive.options());
   while (const auto step = simulation.next()) {
-    trial.add(trialStepOf(*step, simulation.lidarPoses()));
     for (const auto& detections : trialDetectionsOf(*step)) {
       trial.add(detections);
     }
+    trial.add(trialStepOf(*step, simulation.lidarPoses()));
   }
 }
 
@@ -111,29 +130,77 @@ OccupancyGrid placed(const OccupancyGrid& session, const Trial& trial) {
   return {geometry, session.values()};
 }
 
-void evaluate(const Arguments& arguments) {
-  const bool recorded = !arguments.recorded.bag.empty();
-  if (recorded && arguments.reference.empty()) {
-    throw std::invalid_argument("--bag is given without --reference, expected the YAML file of its map");
+bool hasPeople(const Arguments& arguments) {
+  const map_matcher::PedestrianOptions people = arguments.drive.options().pedestrians;
+  return people.people != 0 || people.density != 0.0;
+}
+
+/// The people who are to be put into the scans of a recorded drive; null for nobody.
+std::unique_ptr<map_matcher::InsertedCrowd> crowdFor(const Arguments& arguments, const OccupancyGrid& map) {
+  const map_matcher::DriveOptions drive = arguments.drive.options();
+  if (!hasPeople(arguments)) {
+    return nullptr;
   }
-  const OccupancyGrid map = recorded ? map_matcher::loadMap(arguments.reference) : arguments.drive.map();
-  const OccupancyGrid reference = arguments.reference.empty() ? map : map_matcher::loadMap(arguments.reference);
-  Trial trial(reference, readOptions(arguments));
-  if (!arguments.first_overlay.empty()) {
-    trial.onFirstMatch([&](const OccupancyGrid& session, const map_matcher::Rigid2& T_reference_session) {
-      map_matcher::writeOverlayImage(arguments.first_overlay, reference, session, T_reference_session);
-    });
+  if (arguments.recorded.truth_topic.empty()) {
+    throw std::invalid_argument(
+        "--people or --density is given with --bag but without --truth, expected the topic of the robot's true poses, "
+        "among which people are to walk");
   }
-  if (recorded) {
-    const map_matcher::BagTrialResult played = playBag(arguments.recorded, trial);
-    if (played.scans_left_out > 0) {
-      std::cerr << played.scans_left_out << " of " << played.scans << " scans left out: " << played.last_problem
-                << '\n';
+  return std::make_unique<map_matcher::InsertedCrowd>(
+      map, map_matcher::InsertedCrowdOptions{drive.seed, drive.pedestrians, drive.detector, drive.robot.radius,
+                                             drive.lidar.sigma});
+}
+
+void playRecorded(const Arguments& arguments, const OccupancyGrid& map, Trial& trial) {
+  if (readOptions(arguments).detection_wait > 0.0 && !arguments.recorded.detection_topics.empty()) {
+    warn(
+        "mode is synchronised, but scans do not wait for recorded detections, which apply to later scans as with "
+        "cached");
+  }
+  const std::unique_ptr<map_matcher::InsertedCrowd> crowd = crowdFor(arguments, map);
+  const map_matcher::BagTrialResult played = playBag(arguments.recorded, trial, crowd.get());
+  if (played.scans_left_out > 0 || played.detections_left_out > 0) {
+    warn(std::to_string(played.scans_left_out) + " of " + std::to_string(played.scans) + " scans and " +
+         std::to_string(played.detections_left_out) + " messages of detections left out: " + played.last_problem);
+  }
+  if (played.scans_without_people > 0) {
+    warn(std::to_string(played.scans_without_people) + " of " + std::to_string(played.scans) +
+         " scans left as they were recorded: the truth is not known there");
+  }
+}
+
+/// Takes the drive through the trial, and what is compared with it.
+void play(const Arguments& arguments, const OccupancyGrid& map, const OccupancyGrid& reference, Trial& trial) {
+  std::optional<map_matcher::MonteCarloTrial> monte_carlo;
+  if (!arguments.monte_carlo.empty()) {
+    monte_carlo.emplace(reference, monteCarloOptions(arguments));
+  }
+  std::optional<map_matcher::TruthFit> fit;
+  if (isRecorded(arguments) && !hasPeople(arguments)) {  // simulated people are no walls, and simulated truth is true
+    fit.emplace(reference);
+  }
+  trial.onMoment([&](const map_matcher::TrialMoment& moment) {
+    if (fit) {
+      fit->add(moment);
     }
+    if (monte_carlo) {
+      monte_carlo->add(moment);
+    }
+  });
+  if (isRecorded(arguments)) {
+    playRecorded(arguments, map, trial);
   } else {
     simulate(map, arguments, trial);
   }
-  write(arguments.output, toCsv(trial.queries()));
+  if (const auto problem = fit ? fit->problem() : std::nullopt) {
+    warn(*problem);
+  }
+  if (monte_carlo) {
+    write(arguments.monte_carlo, toCsv(monte_carlo->rows()));
+  }
+}
+
+void writeMaps(const Arguments& arguments, const OccupancyGrid& reference, const Trial& trial) {
   const auto session = trial.sessionMap();
   if (session && !arguments.session.empty()) {
     saveMap(arguments.place_session ? placed(*session, trial) : *session, arguments.session);
@@ -145,6 +212,23 @@ void evaluate(const Arguments& arguments) {
     }
     map_matcher::writeOverlayImage(arguments.last_overlay, reference, *session, pose);
   }
+}
+
+void evaluate(const Arguments& arguments) {
+  if (isRecorded(arguments) && arguments.reference.empty()) {
+    throw std::invalid_argument("--bag is given without --reference, expected the YAML file of its map");
+  }
+  const OccupancyGrid map = isRecorded(arguments) ? map_matcher::loadMap(arguments.reference) : arguments.drive.map();
+  const OccupancyGrid reference = arguments.reference.empty() ? map : map_matcher::loadMap(arguments.reference);
+  Trial trial(reference, readOptions(arguments));
+  if (!arguments.first_overlay.empty()) {
+    trial.onFirstMatch([&](const OccupancyGrid& session, const map_matcher::Rigid2& T_reference_session) {
+      map_matcher::writeOverlayImage(arguments.first_overlay, reference, session, T_reference_session);
+    });
+  }
+  play(arguments, map, reference, trial);
+  write(arguments.output, toCsv(trial.queries()));
+  writeMaps(arguments, reference, trial);
   printSummary(trial);
 }
 
@@ -159,6 +243,11 @@ void describe(CLI::App& app, Arguments& arguments) {
                  "throw the session map away so often [s]; 0: never")
       ->capture_default_str()
       ->check(CLI::Range(0.0, 1e6));
+  auto* monte_carlo = app.add_option("--monte-carlo", arguments.monte_carlo,
+                                     "CSV file to write: what Monte-Carlo localization without a prior makes of the "
+                                     "same scans, at the same moments");
+  app.add_option("--monte-carlo-config", arguments.monte_carlo_config, "its parameters that differ from the defaults")
+      ->needs(monte_carlo);
   app.add_option("--session", arguments.session, "YAML file for the last session map");
   app.add_flag("--place-session", arguments.place_session, "write it in the frame of the truth, where it really lies");
   app.add_option("--first-overlay", arguments.first_overlay, "picture of the first match");
@@ -167,11 +256,15 @@ void describe(CLI::App& app, Arguments& arguments) {
   app.add_option("--scan", arguments.recorded.scan_topic, "its topic of scans; default: the only one")->needs(bag);
   app.add_option("--truth", arguments.recorded.truth_topic, "its topic of true poses, geometry_msgs/PoseStamped")
       ->needs(bag);
+  app.add_option("--truth-frame", arguments.recorded.truth_frame, "frame that they must have; default: any")
+      ->needs(bag);
   app.add_option("--detections", arguments.recorded.detection_topics, "its topics of detected people")->needs(bag);
   app.add_option("--odom-frame", arguments.recorded.odom_frame, "its frame of the odometry")->capture_default_str();
   app.add_option("--base-frame", arguments.recorded.base_frame, "its frame of the robot")->capture_default_str();
   arguments.drive.describe(app);
-  app.footer("Exit status: 0 evaluated, 2 bad input.");
+  app.footer(
+      "With --bag, --people or --density puts people into the recorded scans, where --truth says how the robot stands "
+      "to them. Exit status: 0 evaluated, 2 bad input.");
 }
 
 }  // namespace

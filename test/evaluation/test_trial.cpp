@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <string>
@@ -143,6 +144,48 @@ TEST(TrialTable, LeavesEmptyWhatIsNotKnown) {
   const std::string row = csv.substr(csv.find('\n') + 1);
   EXPECT_EQ(row.rfind("0,2.5,0,0,below_acceptance_ratio,0,", 0), 0U) << row;
   EXPECT_NE(row.find(",,,,,,"), std::string::npos);
+}
+
+/// The cell of the only row of a table below a name.
+std::string cellOf(const std::string& csv, const std::string& name) {
+  std::stringstream lines(csv);
+  std::string header;
+  std::string row;
+  std::getline(lines, header);
+  std::getline(lines, row);
+  const std::vector<std::string> names = cellsOf(header);
+  const auto column = std::find(names.begin(), names.end(), name) - names.begin();
+  return cellsOf(row).at(static_cast<std::size_t>(column));
+}
+
+TEST(TrialTable, TellsWhatTheExactSearchProved) {
+  TrialQuery query;
+  query.result.certified = true;
+  query.result.hit_ratio = 0.75;
+  query.result.upper_bound = 0.8;
+  query.result.margin = 0.25;
+  StageReport exact;
+  exact.name = "exact";
+  exact.initialization_time = 0.5;
+  exact.rotation_expansion_time = 0.25;
+  exact.depth_first_search_time = 2.0;
+  query.result.stages = {exact};
+
+  const std::string csv = toCsv({query});
+
+  EXPECT_EQ(cellOf(csv, "certified"), "1");
+  EXPECT_EQ(cellOf(csv, "hit_ratio"), "0.75");
+  EXPECT_EQ(cellOf(csv, "upper_bound"), "0.8");
+  EXPECT_EQ(cellOf(csv, "margin"), "0.25");
+  EXPECT_EQ(cellOf(csv, "exact_time"), "2.75");
+}
+
+TEST(TrialTable, SaysNothingOfAnExactSearchThatDidNotRun) {
+  const std::string csv = toCsv({TrialQuery{}});
+
+  for (const char* name : {"certified", "hit_ratio", "upper_bound", "margin", "exact_time"}) {
+    EXPECT_EQ(cellOf(csv, name), "") << name;
+  }
 }
 
 TEST(TrialTable, IsTheSameForTheSameSeed) {

@@ -113,7 +113,9 @@ PlanarScan recordedScan() {
 TEST(InsertedCircles, hideWhatWasRecordedBehindThem) {
   RandomNumbers noise(1);
   const PlanarScan scan = recordedScan();
-  const PlanarScan among = insertCircles(scan, {{{2.0, 0.0}, 0.8}}, {}, 0.0, noise);  // spans 23.6 degrees
+  const LidarView view = insertCircles(scan, {{{2.0, 0.0}, 0.8}}, {}, 0.0, noise);  // spans 23.6 degrees
+  const PlanarScan& among = view.scan;
+  EXPECT_EQ(view.rays_on, std::vector<int>{4});
   ASSERT_EQ(among.ranges.size(), 7U);
   EXPECT_EQ(among.ranges[0], 3.0F);
   EXPECT_LT(among.ranges[1], 2.0F);
@@ -130,7 +132,7 @@ TEST(InsertedCircles, areMeasuredWithNoise) {
   RandomNumbers noise(1);
   double variance = 0.0;
   for (int i = 0; i < 4000; ++i) {
-    const PlanarScan among = insertCircles(recordedScan(), {{{2.0, 0.0}, 0.1}}, {}, 0.03, noise);
+    const PlanarScan among = insertCircles(recordedScan(), {{{2.0, 0.0}, 0.1}}, {}, 0.03, noise).scan;
     variance += std::pow(static_cast<double>(among.ranges[3]) - 1.9, 2) / 4000.0;
   }
   EXPECT_NEAR(std::sqrt(variance), 0.03, 0.002);
@@ -140,7 +142,7 @@ TEST(InsertedCircles, thatAreNotInSightChangeNothing) {
   RandomNumbers noise(1);
   PlanarScan scan = recordedScan();
   scan.ranges[5] = 2.5F;
-  EXPECT_EQ(insertCircles(scan, {{{-2.0, 0.0}, 0.1}, {{6.0, 0.0}, 0.1}}, {}, 0.03, noise).ranges, scan.ranges);
+  EXPECT_EQ(insertCircles(scan, {{{-2.0, 0.0}, 0.1}, {{6.0, 0.0}, 0.1}}, {}, 0.03, noise).scan.ranges, scan.ranges);
 }
 
 }  // namespace

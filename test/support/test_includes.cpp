@@ -25,9 +25,11 @@ const std::map<std::string, Names> kRooms = {
     {"tracking", {"grid", "parameters", "search"}},
     {"scan", {"grid"}},
     {"mapping", {"grid", "parameters", "scan"}},
+    {"localization", {"grid", "parameters", "scan"}},
     {"scrubbing", {"grid", "parameters", "scan"}},
     {"simulation", {"grid", "parameters", "scan"}},
-    {"evaluation", {"grid", "mapping", "parameters", "scan", "scrubbing", "search", "simulation", "tracking"}},
+    {"evaluation",
+     {"grid", "localization", "mapping", "parameters", "scan", "scrubbing", "search", "simulation", "tracking"}},
 };
 
 /// Directories that know ROS, or whose programs may.
@@ -90,7 +92,7 @@ bool mayInclude(const std::string& room, const Include& include) {
     return true;
   }
   if (library == "mrpt") {
-    return source && room == "mapping";
+    return source && (room == "mapping" || room == "localization");
   }
   return source && Names{"nlohmann", "opencv2", "yaml-cpp"}.count(library) == 1;
 }
@@ -116,7 +118,7 @@ TEST(Rooms, IncludeOnlyTheStandardLibraryEigenAndTheirOwnTools) {
       if (include.system) {
         EXPECT_TRUE(mayInclude(room, include))
             << include.file << " includes <" << include.header << ">; expected std, Eigen, or in a .cpp file OpenCV, "
-            << "yaml-cpp, nlohmann and in mapping MRPT; ROS only in ros/, nodes/ and tools/";
+            << "yaml-cpp, nlohmann and in mapping and localization MRPT; ROS only in ros/, nodes/ and tools/";
       }
     }
   }

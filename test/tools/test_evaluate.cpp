@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -60,6 +61,100 @@ TEST_F(Evaluate, needsTheMapOfABag) {
 
   EXPECT_EQ(done.exit_status, 2);
   EXPECT_NE(done.output.find("--bag and --map are needed both"), std::string::npos) << done.output;
+}
+
+/// A short drive through a generated office.
+class EvaluateABag : public Evaluate {
+ protected:
+  void SetUp() override {
+    ASSERT_EQ(test::runProgram(GENERATE_BUILDING, "--seed 1 --output " + map).exit_status, 0);
+    const ProgramRun simulated =
+        test::runProgram(SIMULATE_DRIVE, "--map " + map + " --seed 1 --duration 12 --beams 181 --bag " + bag);
+    ASSERT_EQ(simulated.exit_status, 0) << simulated.output;
+  }
+
+  const std::string map = dir / "office.yaml";
+  const std::string bag = dir / "drive.bag";
+};
+
+TEST_F(EvaluateABag, showsMatchesAndMonteCarloLocalization) {
+  const ProgramRun done = run("--bag " + bag + " --map " + map + " --truth /ground_truth");
+
+  ASSERT_EQ(done.exit_status, 0) << done.output;
+  EXPECT_NE(page().find("## drive.bag in office.yaml"), std::string::npos) << page();
+  EXPECT_NE(page().find("| position error, mean [m] | 0.0"), std::string::npos) << page();
+  EXPECT_NE(page().find("Monte-Carlo localization: deviation below"), std::string::npos) << page();
+  EXPECT_EQ(page().find("**"), std::string::npos) << page();
+}
+
+TEST_F(EvaluateABag, goesOnWithoutATruthThatCannotBeUsed) {
+  const ProgramRun done = run("--bag " + bag + " --map " + map + " --truth /nowhere");
+
+  EXPECT_EQ(done.exit_status, 1);
+  EXPECT_NE(done.output.find("has no topic '/nowhere'"), std::string::npos) << done.output;
+  EXPECT_NE(page().find("**Without truth**, since it cannot be used"), std::string::npos) << page();
+  EXPECT_NE(page().find("| position error, mean [m] | - |"), std::string::npos) << page();
+}
+
+TEST_F(EvaluateABag, saysThatTheMapMayBeAnotherBuildings) {
+  const std::string other = dir / "other.yaml";
+  ASSERT_EQ(test::runProgram(GENERATE_BUILDING, "--seed 7 --output " + other).exit_status, 0);
+
+  const ProgramRun done = run("--bag " + bag + " --map " + other + " --truth /ground_truth");
+
+  EXPECT_NE(page().find("the map may be another building's"), std::string::npos) << page() << done.output;
+}
+
+TEST_F(EvaluateABag, replaysItWithTheMapperThatWasAskedFor) {
+  const ProgramRun done =
+      run("--bag " + bag + " --map " + map + " --truth /ground_truth --mapper session_mapper --rate 3");
+
+  ASSERT_EQ(done.exit_status, 0) << done.output;
+  EXPECT_NE(page().find("## drive.bag in office.yaml, replayed with session_mapper"), std::string::npos) << page();
+  EXPECT_NE(page().find("| true poses | 181 |"), std::string::npos) << page();
+  EXPECT_NE(page().find("| translation error, mean [m] | 0.0"), std::string::npos) << page();
+  EXPECT_TRUE(std::filesystem::exists(output + "/page/replay.png"));
+}
+
+TEST_F(EvaluateABag, tellsThatAMapperIsNotInstalled) {
+  if (std::system("rospack find gmapping > /dev/null 2>&1") == 0) {
+    GTEST_SKIP() << "slam_gmapping is installed";
+  }
+
+  const ProgramRun done = run("--bag " + bag + " --map " + map + " --truth /ground_truth --mapper gmapping");
+
+  EXPECT_EQ(done.exit_status, 2);
+  EXPECT_NE(done.output.find("slam_gmapping is not installed"), std::string::npos) << done.output;
+}
+
+TEST_F(EvaluateABag, needsTheTruthToReplayIt) {
+  const ProgramRun done = run("--bag " + bag + " --map " + map + " --mapper gmapping");
+
+  EXPECT_EQ(done.exit_status, 2);
+  EXPECT_NE(done.output.find("--mapper is given without --bag, --map and --truth"), std::string::npos) << done.output;
+}
+
+TEST_F(EvaluateABag, needsTheTruthToPutPeopleIntoIt) {
+  const std::string arguments = "--bag " + bag + " --reference " + map + " --output " + (dir / "table.csv");
+
+  const ProgramRun without = test::runProgram(EVALUATE_DRIVE, arguments + " --density 0.3");
+  const ProgramRun with = test::runProgram(EVALUATE_DRIVE, arguments + " --density 0.3 --scrub --truth ground_truth");
+
+  EXPECT_EQ(without.exit_status, 2);
+  EXPECT_NE(without.output.find("--people or --density is given with --bag but without --truth"), std::string::npos)
+      << without.output;
+  EXPECT_EQ(with.exit_status, 0) << with.output;
+}
+
+TEST_F(EvaluateABag, namesABadParameterOfMonteCarloLocalization) {
+  const std::string config = dir.write("monte_carlo.yaml", "laser_max_beams: 1\n");
+
+  const ProgramRun done =
+      test::runProgram(EVALUATE_DRIVE, "--bag " + bag + " --reference " + map + " --output " + (dir / "table.csv") +
+                                           " --monte-carlo " + (dir / "mc.csv") + " --monte-carlo-config " + config);
+
+  EXPECT_EQ(done.exit_status, 2);
+  EXPECT_NE(done.output.find("laser_max_beams is 1, expected 2 to 10000"), std::string::npos) << done.output;
 }
 
 }  // namespace

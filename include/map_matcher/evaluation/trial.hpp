@@ -17,18 +17,12 @@
 
 namespace map_matcher {
 
-/// A scan of one of the robot's lasers.
-struct TrialScan {
-  PlanarScan scan;
-  LaserMount mount;
-};
-
 /// What a robot knew at an instant.
 struct TrialStep {
-  double time = 0.0;             ///< [s]
-  Rigid2 T_odom_base;            ///< Odometry.
-  std::optional<Rigid2> truth;   ///< T_reference_base, where somebody knows it.
-  std::vector<TrialScan> scans;  ///< Of all lasers, at this instant.
+  double time = 0.0;               ///< [s]
+  Rigid2 T_odom_base;              ///< Odometry.
+  std::optional<Rigid2> truth;     ///< T_reference_base, where somebody knows it.
+  std::vector<MountedScan> scans;  ///< Of all lasers, at this instant.
 };
 
 /// People that a detector found in a scan of one of the lasers.
@@ -46,6 +40,7 @@ struct TrialOptions {
   double restart_interval = 0.0;     ///< [s] The session map is thrown away so often (report figure 20); 0: never.
   bool scrub = false;                ///< Whether scans are scrubbed before the mapper sees them.
   ScrubbingOptions scrubbing;
+  double detection_wait = 0.0;  ///< [s] So long a scan waits for the detections made from it; 0: it never waits.
   MatchOptions match;
 };
 
@@ -70,6 +65,18 @@ struct TrialQuery {
   std::optional<PoseError> robotError() const;
 };
 
+/// What the mapper was given at an instant, for what is to be compared with it.
+struct TrialMoment {
+  double time = 0.0;                       ///< [s]
+  int session = 0;                         ///< As in TrialQuery.
+  double session_age = 0.0;                ///< As in TrialQuery [s].
+  double travelled = 0.0;                  ///< As in TrialQuery [m].
+  Rigid2 T_odom_base;                      ///< Odometry.
+  std::optional<Rigid2> T_reference_base;  ///< The truth, where it is known.
+  std::vector<MountedScan> scans;          ///< Of all lasers; scrubbed, if that was asked for.
+  bool queried = false;                    ///< Whether a session map was matched.
+};
+
 /// Runs one drive. Not thread-safe.
 class Trial {
  public:
@@ -77,7 +84,8 @@ class Trial {
   /// range.
   Trial(const OccupancyGrid& reference, const TrialOptions& options);
 
-  /// Detections, in the order of their arrival; they apply to steps from then on.
+  /// Detections, in the order of their arrival; they apply to steps from then on. Those that a step is to wait for come
+  /// before it.
   void add(const TrialDetections& detections);
 
   /// The next instant, in the order of time.
@@ -86,6 +94,10 @@ class Trial {
   /// Called once with the first session map that is matched and T_reference_session.
   using OnFirstMatch = std::function<void(const OccupancyGrid&, const Rigid2&)>;
   void onFirstMatch(OnFirstMatch on_first_match) { on_first_match_ = std::move(on_first_match); }
+
+  /// Called at the end of each step.
+  using OnMoment = std::function<void(const TrialMoment&)>;
+  void onMoment(OnMoment on_moment) { on_moment_ = std::move(on_moment); }
 
   const std::vector<TrialQuery>& queries() const { return queries_; }
 
@@ -103,8 +115,11 @@ class Trial {
 
   void beginSession(const TrialStep& step);
   void takePending(double time);
-  PlanarScan scrubbed(const TrialScan& scan, const TrialStep& step);
-  std::optional<Eigen::Isometry3d> poseOf(const DetectionSet& set, const TrialScan& scan, const TrialStep& step) const;
+  bool map(const TrialStep& step, const std::vector<MountedScan>& scans);
+  std::vector<MountedScan> scansFor(const TrialStep& step);
+  PlanarScan scrubbed(const MountedScan& scan, const TrialStep& step);
+  std::optional<Eigen::Isometry3d> poseOf(const DetectionSet& set, const MountedScan& scan,
+                                          const TrialStep& step) const;
   void match(const TrialStep& step);
 
   TrialOptions options_;
@@ -118,6 +133,7 @@ class Trial {
   std::vector<LaserMount> mounts_;        // of each laser
   std::vector<TrialQuery> queries_;
   OnFirstMatch on_first_match_;  // null when it was called, or nobody asked
+  OnMoment on_moment_;           // null when nobody asked
   int session_ = -1;
   double session_start_ = 0.0;
   std::optional<double> last_map_;

@@ -3,12 +3,16 @@
 #pragma once
 
 #include <rosbag/bag.h>
+#include <rosbag/message_instance.h>
 #include <tf2/buffer_core.h>
 #include <tf2_msgs/TFMessage.h>
 
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <vector>
+
+#include "map_matcher/scrubbing/detections.hpp"
 
 namespace map_matcher {
 
@@ -35,6 +39,18 @@ std::string chooseTopic(const std::string& bag, const BagTopics& topics, const s
 /// The topic of the scans: the one asked for, with or without its leading slash, or when that is empty the only one of
 /// type sensor_msgs/LaserScan. Throws BagError when there is none or no telling which. `bag` names the bag.
 std::string chooseScanTopic(const std::string& bag, const BagTopics& topics, const std::string& asked);
+
+/// The topics of detections that are asked for, with or without their leading slashes. Throws BagError, naming the bag,
+/// for one that is not there or is neither geometry_msgs/PoseArray nor map_matcher/PersonDetections.
+std::vector<std::string> chooseDetectionTopics(const std::string& bag, const BagTopics& topics,
+                                               const std::vector<std::string>& asked);
+
+/// The people of a message on a topic of chooseDetectionTopics(); their source is the topic. Throws MessageError when
+/// the message has no frame.
+DetectionSet readDetections(const rosbag::MessageInstance& message);
+
+/// Throws BagError, naming the bag and what it has, unless there is /tf with the transforms from `odom_frame` on.
+void requireTransforms(const std::string& bag, const BagTopics& topics, const std::string& odom_frame);
 
 /// Hands all transforms of a message to the buffer.
 void takeTransforms(const tf2_msgs::TFMessage& message, bool is_static, tf2::BufferCore& tf);

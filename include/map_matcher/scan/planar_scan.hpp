@@ -38,4 +38,10 @@ struct LaserMount {
   bool upside_down = false;  ///< Whether its z axis points down, so that its beams turn clockwise seen from above.
 };
 
+/// A scan of one of a robot's lasers.
+struct MountedScan {
+  PlanarScan scan;
+  LaserMount mount;
+};
+
 }  // namespace map_matcher

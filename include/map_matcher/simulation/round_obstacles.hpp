@@ -34,8 +34,8 @@ RaysOnCircles castOnCircles(const std::vector<Circle>& circles, const Rigid2& T_
 /// A recorded scan as it would have been among these circles (of the frame that T_map_lidar leads to): what lies behind
 /// a circle is hidden by it, and rays that returned nothing (not finite, or out of range) return from a circle within
 /// range. `sigma` [m] is the standard deviation of ranges to circles; other ranges stay bit for bit. `noise` is drawn
-/// from once for each such range.
-PlanarScan insertCircles(const PlanarScan& scan, const std::vector<Circle>& circles, const Rigid2& T_map_lidar,
-                         double sigma, RandomNumbers& noise);
+/// from once for each such range. A lidar that hangs upside down is one whose angles run backwards.
+LidarView insertCircles(const PlanarScan& scan, const std::vector<Circle>& circles, const Rigid2& T_map_lidar,
+                        double sigma, RandomNumbers& noise);
 
 }  // namespace map_matcher
