@@ -7,9 +7,10 @@ import monte_carlo
 import own
 import real_logs
 import replay
+import sessions
 import static
 
-ALL = [static, crowd, cold_starts, mapping, monte_carlo, real_logs]
+ALL = [static, crowd, cold_starts, mapping, monte_carlo, real_logs, sessions]
 
 
 def own_bag(arguments):

@@ -12,11 +12,12 @@ class BadInput(Exception):
 class Run:
     """One call of a program, known by its name. It is done when its output is there, made with the same arguments."""
 
-    def __init__(self, directory, name, program, arguments, outputs, phase):
+    def __init__(self, directory, name, program, arguments, outputs, phase, accepted_statuses):
         self.name = name
         self.program = program
         self.arguments = [str(argument) for argument in arguments]
         self.outputs = outputs
+        self.accepted_statuses = accepted_statuses
         self.phase = phase  # runs of later phases need the outputs of earlier ones
         self.problem = ""
         self._record = directory / (name + ".json")
@@ -37,7 +38,7 @@ class Run:
         done = subprocess.run([self.program, *self.arguments], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                               check=False)
         lines = done.stdout.decode().strip().split("\n")
-        if done.returncode != 0:
+        if done.returncode not in self.accepted_statuses:
             self.problem = lines[-1] or "exit status %d" % done.returncode
             return self.problem
         warnings = [line.split("warning: ", 1)[1] for line in lines if "warning: " in line]
@@ -86,8 +87,8 @@ class Runs:
     def path(self, name):
         return self.directory / name
 
-    def add(self, name, program, arguments, outputs, phase=0):
-        run = Run(self.directory, name, self.tools / program, arguments, outputs, phase)
+    def add(self, name, program, arguments, outputs, phase=0, accepted_statuses=(0,)):
+        run = Run(self.directory, name, self.tools / program, arguments, outputs, phase, accepted_statuses)
         self.all.append(run)
         return run
 

@@ -122,6 +122,7 @@ bool Trial::map(const TrialStep& step, const std::vector<MountedScan>& scans) {
 
 void Trial::beginSession(const TrialStep& step) {
   mapper_.reset();
+  alignment_.reset();
   ++session_;
   session_start_ = step.time;
   last_map_.reset();
@@ -173,11 +174,14 @@ void Trial::match(const TrialStep& step) {
   query.session = session_;
   query.session_age = step.time - session_start_;
   query.travelled = travelled_;
-  query.result = matcher_.match(*map);
+  MatchPrior prior;
+  prior.alignment = alignment_;
+  query.result = matcher_.match(*map, prior);
   query.T_session_base = mapper_.T_session_base();
   query.true_alignment = true_alignment_;
   query.truth = step.truth;
   if (query.result.matched()) {
+    alignment_ = query.result.T_reference_session;
     const MapQuality quality = mapQuality(reference_, *map, query.result.T_reference_session, kWallTolerance,
                                           static_cast<std::int8_t>(options_.match.occupied_threshold));
     query.falsely_occupied = quality.falsely_occupied;

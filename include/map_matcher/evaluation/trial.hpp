@@ -140,6 +140,7 @@ class Trial {
   double travelled_ = 0.0;
   std::optional<Rigid2> last_odometry_;
   std::optional<Rigid2> true_alignment_;
+  std::optional<Rigid2> alignment_;  // of the session's last accepted map
 };
 
 }  // namespace map_matcher
