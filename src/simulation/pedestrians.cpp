@@ -15,6 +15,7 @@ constexpr double kWidestLane = 0.6;          // [m] that people keep to the righ
 constexpr double kArrived = 0.8;             // [m] from a goal
 constexpr double kWayAhead = 2.0;            // [m] of the planned way that are looked at
 constexpr double kSight = 2.5;               // [m] others farther away are not minded
+constexpr std::size_t kManyInSight = 64;     // others, in a crowd of 3 people per square metre
 constexpr double kRelaxation = 0.3;          // [s] in which a velocity comes near the wanted one
 constexpr double kHeldUpShare = 0.3;         // of their speed: who is slower is held up
 constexpr std::size_t kStepsToDecision = 2;  // nobody decides anew more often
@@ -284,6 +285,7 @@ Eigen::Vector2d Pedestrians::stand(std::size_t index, double period, const Robot
 std::vector<Mover> Pedestrians::moversNear(std::size_t index, const RobotSweep& robot) const {
   const Mover& self = walkers_[index].body;
   std::vector<Mover> movers;
+  movers.reserve(kManyInSight);
   index_.visitNear(self.position, kSight, [&](std::size_t other) {
     const Mover& body = walkers_[other].body;
     if (other != index && (body.position - self.position).squaredNorm() < kSight * kSight) {

@@ -28,9 +28,12 @@ class WayField {
 
  private:
   std::optional<std::uint32_t> indexNear(const Eigen::Vector2d& p_map) const;
-  Eigen::Vector2d centreOf(std::uint32_t index) const;
+  Eigen::Vector2d centreOf(const Cell& cell) const;
 
   GridGeometry geometry_;
+  Eigen::Matrix2d map_from_grid_;  // rotation of T_map_grid, which would be computed for every cell
+  Rigid2 T_grid_map_;
+  Eigen::Matrix2d grid_from_map_;  // rotation of T_grid_map
   std::vector<std::uint32_t> next_;
 };
 
