@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
+#include <functional>
 #include <limits>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
@@ -20,7 +22,34 @@ constexpr double kComfort = 0.5;     // [m] more clearance than required is not 
 constexpr float kDiscomfort = 4.0F;  // price of a way at the required clearance, above 1 for a comfortable one
 constexpr int kNearestCells = 2;     // [cells] how far a point's nearest cell to stand in may be
 
+/// The straight ones first; each diagonal one lies between those 4 and 3 places before it, as on a circle.
 constexpr std::array<Cell, 8> kNeighbours{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
+constexpr std::size_t kFirstDiagonal = 4;
+
+/// Cells to go on from, the one with the smallest estimate first, then that with the smallest index. Both are kept in
+/// one number: estimates are not negative, and the bits of such floats are in the order of their values.
+class OpenCells {
+ public:
+  bool empty() const { return entries_.empty(); }
+
+  void push(float estimate, std::uint32_t index) {
+    std::uint32_t bits = 0;
+    std::memcpy(&bits, &estimate, sizeof bits);
+    entries_.push(std::uint64_t{bits} << 32U | index);
+  }
+
+  std::pair<float, std::uint32_t> pop() {
+    const std::uint64_t entry = entries_.top();
+    entries_.pop();
+    const auto bits = static_cast<std::uint32_t>(entry >> 32U);
+    float estimate = 0.0F;
+    std::memcpy(&estimate, &bits, sizeof estimate);
+    return {estimate, static_cast<std::uint32_t>(entry)};
+  }
+
+ private:
+  std::priority_queue<std::uint64_t, std::vector<std::uint64_t>, std::greater<>> entries_;
+};
 
 /// Planning cells that cover the grid.
 GridGeometry planningGeometry(const GridGeometry& grid) {
@@ -108,6 +137,56 @@ std::optional<Cell> PathPlanner::freeCellNear(const Eigen::Vector2d& p_map) cons
   return nearest;
 }
 
+/// A* from the start to the first goal that is found; `cost_to_go` is a lower bound of the cost from a cell to a goal.
+/// The start came from itself.
+template <typename IsGoal, typename CostToGo>
+PathPlanner::Search PathPlanner::explore(const Cell& start, const IsGoal& is_goal, const CostToGo& cost_to_go) const {
+  std::vector<float> spent(costs_.size(), std::numeric_limits<float>::infinity());
+  std::vector<std::uint32_t> came_from(costs_.size(), WayField::kNone);
+  OpenCells open;
+  const auto first = static_cast<std::uint32_t>(indexOf(start));
+  spent[first] = 0.0F;
+  came_from[first] = first;
+  open.push(cost_to_go(start), first);
+
+  while (!open.empty()) {
+    const auto [estimate, index] = open.pop();
+    const Cell cell = cellOf(index);
+    if (estimate > spent[index] + cost_to_go(cell)) {
+      continue;  // a cheaper way to this cell was found after the entry was made
+    }
+    if (is_goal(cell)) {
+      return {std::move(came_from), cell};
+    }
+    const std::array<bool, 8> may_step = stepsFrom(cell);
+    for (std::size_t k = 0; k < kNeighbours.size(); ++k) {
+      if (!may_step[k]) {
+        continue;
+      }
+      const Cell next{cell.x + kNeighbours[k].x, cell.y + kNeighbours[k].y};
+      const auto next_index = static_cast<std::uint32_t>(indexOf(next));
+      const float length = k < kFirstDiagonal ? 1.0F : std::sqrt(2.0F);
+      const float cost = spent[index] + length * 0.5F * (costs_[index] + costs_[next_index]);
+      if (cost < spent[next_index]) {
+        spent[next_index] = cost;
+        came_from[next_index] = index;
+        open.push(cost + cost_to_go(next), next_index);
+      }
+    }
+  }
+  return {std::move(came_from), std::nullopt};
+}
+
+/// To which of kNeighbours one can go from a cell: a diagonal step must not cut a corner.
+std::array<bool, 8> PathPlanner::stepsFrom(const Cell& cell) const {
+  std::array<bool, 8> may_step{};
+  for (std::size_t k = 0; k < kNeighbours.size(); ++k) {
+    const bool is_open = k < kFirstDiagonal || (may_step[k - kFirstDiagonal] && may_step[(k + 1) % kFirstDiagonal]);
+    may_step[k] = is_open && isFree({cell.x + kNeighbours[k].x, cell.y + kNeighbours[k].y});
+  }
+  return may_step;
+}
+
 std::optional<Path> PathPlanner::plan(const Eigen::Vector2d& start, const Eigen::Vector2d& goal) const {
   if (world_.clearance(start) <= 0.0 || !world_.isClear(goal, required_clearance_)) {
     return std::nullopt;
@@ -182,46 +261,6 @@ double PathPlanner::coveredArea() const {
   }
   const auto num_covered = static_cast<double>(std::count(covered.begin(), covered.end(), true));
   return num_covered * geometry_.resolution * geometry_.resolution;
-}
-
-/// A* from the start to the first goal that is found; `cost_to_go` is a lower bound of the cost from a cell to a goal.
-/// The start came from itself.
-PathPlanner::Search PathPlanner::explore(const Cell& start, const IsGoal& is_goal, const CostToGo& cost_to_go) const {
-  std::vector<float> spent(costs_.size(), std::numeric_limits<float>::infinity());
-  std::vector<std::uint32_t> came_from(costs_.size(), WayField::kNone);
-  using Entry = std::pair<float, std::size_t>;  // cost through the cell to the goal at best, index of the cell
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
-  spent[indexOf(start)] = 0.0F;
-  came_from[indexOf(start)] = static_cast<std::uint32_t>(indexOf(start));
-  open.emplace(cost_to_go(start), indexOf(start));
-
-  while (!open.empty()) {
-    const auto [estimate, index] = open.top();
-    open.pop();
-    const Cell cell = cellOf(index);
-    if (estimate > spent[index] + cost_to_go(cell)) {
-      continue;  // a cheaper way to this cell was found after the entry was made
-    }
-    if (is_goal(cell)) {
-      return {std::move(came_from), cell};
-    }
-    for (const Cell& step : kNeighbours) {
-      const Cell next{cell.x + step.x, cell.y + step.y};
-      // A diagonal step must not cut a corner.
-      if (!isFree(next) || !isFree({cell.x + step.x, cell.y}) || !isFree({cell.x, cell.y + step.y})) {
-        continue;
-      }
-      const std::size_t next_index = indexOf(next);
-      const float length = step.x != 0 && step.y != 0 ? std::sqrt(2.0F) : 1.0F;
-      const float cost = spent[index] + length * 0.5F * (costs_[index] + costs_[next_index]);
-      if (cost < spent[next_index]) {
-        spent[next_index] = cost;
-        came_from[next_index] = static_cast<std::uint32_t>(index);
-        open.emplace(cost + cost_to_go(next), next_index);
-      }
-    }
-  }
-  return {std::move(came_from), std::nullopt};
 }
 
 }  // namespace map_matcher

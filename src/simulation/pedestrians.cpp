@@ -15,6 +15,7 @@ constexpr double kWidestLane = 0.6;          // [m] that people keep to the righ
 constexpr double kArrived = 0.8;             // [m] from a goal
 constexpr double kWayAhead = 2.0;            // [m] of the planned way that are looked at
 constexpr double kSight = 2.5;               // [m] others farther away are not minded
+constexpr std::size_t kManyInSight = 64;     // others, in a crowd of 3 people per square metre
 constexpr double kRelaxation = 0.3;          // [s] in which a velocity comes near the wanted one
 constexpr double kHeldUpShare = 0.3;         // of their speed: who is slower is held up
 constexpr std::size_t kStepsToDecision = 2;  // nobody decides anew more often
@@ -148,7 +149,7 @@ bool Pedestrians::place(const Eigen::Vector2d& position, double heading, bool st
   bool is_free = world_.isClear(position, radius + kPlanningMargin) &&
                  !(kept_free && (position - kept_free->centre).norm() < kept_free->radius + radius);
   index_.visitNear(position, 2.0 * radius + kShoulders, [&](std::size_t other) {
-    is_free = is_free && (position - walkers_[other].body.position).norm() >= 2.0 * radius + kShoulders;
+    is_free = is_free && (position - bodies_[other].position).norm() >= 2.0 * radius + kShoulders;
   });
   if (!is_free) {
     return false;
@@ -158,15 +159,9 @@ bool Pedestrians::place(const Eigen::Vector2d& position, double heading, bool st
   const double half_width = std::min(kHalfStance, radius - leg_radius);
   const auto goal = stands ? std::nullopt : std::optional(errands_->randomGoal(position, random_));
   index_.insert(walkers_.size(), position);
-  walkers_.push_back({{position, Eigen::Vector2d::Zero(), radius},
-                      heading,
-                      std::max(speed, 0.2),
-                      leg_radius,
-                      goal,
-                      random_.uniform(0.0, kWidestLane),
-                      0.0,
-                      Eigen::Vector2d::Zero(),
-                      Gait(position, heading, half_width)});
+  bodies_.push_back({position, Eigen::Vector2d::Zero(), radius});
+  walkers_.push_back({heading, std::max(speed, 0.2), leg_radius, goal, random_.uniform(0.0, kWidestLane), 0.0,
+                      Eigen::Vector2d::Zero(), Gait(position, heading, half_width)});
   return true;
 }
 
@@ -177,7 +172,7 @@ Eigen::Vector2d Pedestrians::randomPlace() {
 
 /// A goal for somebody who is held up: one whose way is free at first, where there is one.
 std::size_t Pedestrians::goalWithAWayOut(std::size_t index) {
-  const Eigen::Vector2d& position = walkers_[index].body.position;
+  const Eigen::Vector2d& position = bodies_[index].position;
   std::size_t goal = 0;
   bool is_free = false;
   for (int i = 0; i < kWayTrials && !is_free; ++i) {
@@ -188,7 +183,7 @@ std::size_t Pedestrians::goalWithAWayOut(std::size_t index) {
     }
     is_free = true;
     index_.visitNear(way.back(), kEscape, [&](std::size_t other) {
-      const double distance = (walkers_[other].body.position - way.back()).norm();
+      const double distance = (bodies_[other].position - way.back()).norm();
       is_free = is_free && (other == index || distance > 2.0 * options_.body_radius);
     });
   }
@@ -199,11 +194,11 @@ void Pedestrians::step(double period, const RobotSweep& robot) {
   const double bounded = std::min(period, kLongestPeriod);
   index_.clear();
   for (std::size_t i = 0; i < walkers_.size(); ++i) {
-    index_.insert(i, walkers_[i].body.position);
+    index_.insert(i, bodies_[i].position);
   }
   for (std::size_t i = 0; i < walkers_.size(); ++i) {
     move(i, bounded, robot);
-    moveFeet(walkers_[i], bounded, robot);
+    moveFeet(i, bounded, robot);
   }
   ++num_steps_;
   updatePeople();
@@ -212,25 +207,26 @@ void Pedestrians::step(double period, const RobotSweep& robot) {
 /// One after the other: each sees where those before have gone, so that no two can go to the same place.
 void Pedestrians::move(std::size_t index, double period, const RobotSweep& robot) {
   Walker& walker = walkers_[index];
+  Mover& body = bodies_[index];
   if ((num_steps_ + index) % kStepsToDecision == 0) {
     const double since_last = period * static_cast<double>(kStepsToDecision);
     walker.wanted = walker.goal ? walk(index, since_last, robot) : stand(index, since_last, robot);
   }
-  walker.body.velocity += (walker.wanted - walker.body.velocity) * std::min(1.0, period / kRelaxation);
+  body.velocity += (walker.wanted - body.velocity) * std::min(1.0, period / kRelaxation);
 
   // Straight on, or past what is in the way, or not at all.
-  const double speed = walker.body.velocity.norm();
-  const double heading = std::atan2(walker.body.velocity.y(), walker.body.velocity.x());
+  const double speed = body.velocity.norm();
+  const double heading = std::atan2(body.velocity.y(), body.velocity.x());
   Eigen::Vector2d velocity = Eigen::Vector2d::Zero();
   for (const double turn : {0.0, -0.8, 0.8, -1.5, 1.5}) {
     const Eigen::Vector2d tried = direction(heading + turn) * speed * std::max(0.2, std::cos(turn));
-    if (speed > 0.0 && mayStandAt(index, walker.body.position + tried * period, robot)) {
+    if (speed > 0.0 && mayStandAt(index, body.position + tried * period, robot)) {
       velocity = tried;
       break;
     }
   }
-  walker.body.velocity = velocity;
-  walker.body.position += velocity * period;
+  body.velocity = velocity;
+  body.position += velocity * period;
   if (velocity.norm() > kTurnSpeed) {
     walker.heading = turnedTowards(walker.heading, std::atan2(velocity.y(), velocity.x()), kTurnRate * period);
   }
@@ -239,36 +235,38 @@ void Pedestrians::move(std::size_t index, double period, const RobotSweep& robot
 /// The velocity of somebody on the way to a goal; chooses the next goal.
 Eigen::Vector2d Pedestrians::walk(std::size_t index, double period, const RobotSweep& robot) {
   Walker& walker = walkers_[index];
-  walker.held_up = walker.body.velocity.norm() < kHeldUpShare * walker.speed ? walker.held_up + period : 0.0;
-  const bool arrived = (errands_->placeOf(*walker.goal) - walker.body.position).norm() < kArrived;
+  const Mover& body = bodies_[index];
+  walker.held_up = body.velocity.norm() < kHeldUpShare * walker.speed ? walker.held_up + period : 0.0;
+  const bool arrived = (errands_->placeOf(*walker.goal) - body.position).norm() < kArrived;
   if (arrived || walker.held_up > kPatience) {
-    walker.goal = arrived ? errands_->randomGoal(walker.body.position, random_) : goalWithAWayOut(index);
+    walker.goal = arrived ? errands_->randomGoal(body.position, random_) : goalWithAWayOut(index);
     walker.held_up = random_.uniform(0.0, 0.5 * kPatience);  // people who block each other do not try again together
   }
-  const std::vector<Eigen::Vector2d> way = errands_->waysTo(*walker.goal).ahead(walker.body.position, kWayAhead);
+  const std::vector<Eigen::Vector2d> way = errands_->waysTo(*walker.goal).ahead(body.position, kWayAhead);
   if (way.empty()) {
     return Eigen::Vector2d::Zero();
   }
   // The farthest place on the way that can be walked to straight on, by a few samples.
   Eigen::Vector2d target = way.front();
   for (std::size_t i = std::min<std::size_t>(4, way.size() - 1); i < way.size(); i += 4) {
-    const Eigen::Vector2d middle = 0.5 * (walker.body.position + way[i]);
-    if (i > 4 && !world_.isClear(middle, walker.body.radius)) {
+    const Eigen::Vector2d middle = 0.5 * (body.position + way[i]);
+    if (i > 4 && !world_.isClear(middle, body.radius)) {
       break;
     }
     target = way[i];
   }
-  const Eigen::Vector2d ahead = (target - walker.body.position).normalized();
+  const Eigen::Vector2d ahead = (target - body.position).normalized();
   const Eigen::Vector2d in_lane = target + walker.lane * Eigen::Vector2d(ahead.y(), -ahead.x());
-  target = world_.isClear(in_lane, walker.body.radius) ? in_lane : target;
-  return steer(world_, walker.body, target, walker.speed, moversNear(index, robot));
+  target = world_.isClear(in_lane, body.radius) ? in_lane : target;
+  return steer(world_, body, target, walker.speed, moversNear(index, robot));
 }
 
 /// The velocity of somebody who stands: none, until the robot has waited to get past.
 Eigen::Vector2d Pedestrians::stand(std::size_t index, double period, const RobotSweep& robot) {
   Walker& walker = walkers_[index];
-  const Eigen::Vector2d off = walker.body.position - robot.centres.front();
-  const bool is_near = off.norm() < robot.radius + walker.body.radius + kRobotNear;
+  const Mover& body = bodies_[index];
+  const Eigen::Vector2d off = body.position - robot.centres.front();
+  const bool is_near = off.norm() < robot.radius + body.radius + kRobotNear;
   walker.held_up = is_near ? walker.held_up + period : 0.0;
   if (walker.held_up < kStepAsideAfter) {
     return Eigen::Vector2d::Zero();
@@ -276,16 +274,16 @@ Eigen::Vector2d Pedestrians::stand(std::size_t index, double period, const Robot
   // Away from the robot and out of its way.
   const Eigen::Vector2d ahead = direction(robot.heading);
   const Eigen::Vector2d left(-ahead.y(), ahead.x());
-  const Eigen::Vector2d target =
-      walker.body.position + 0.5 * off.normalized() + left * (off.dot(left) > 0.0 ? 1.0 : -1.0);
-  return steer(world_, walker.body, target, kStepAsideSpeed, moversNear(index, robot));
+  const Eigen::Vector2d target = body.position + 0.5 * off.normalized() + left * (off.dot(left) > 0.0 ? 1.0 : -1.0);
+  return steer(world_, body, target, kStepAsideSpeed, moversNear(index, robot));
 }
 
 std::vector<Mover> Pedestrians::moversNear(std::size_t index, const RobotSweep& robot) const {
-  const Mover& self = walkers_[index].body;
+  const Mover& self = bodies_[index];
   std::vector<Mover> movers;
+  movers.reserve(kManyInSight);
   index_.visitNear(self.position, kSight, [&](std::size_t other) {
-    const Mover& body = walkers_[other].body;
+    const Mover& body = bodies_[other];
     if (other != index && (body.position - self.position).squaredNorm() < kSight * kSight) {
       movers.push_back(body);
     }
@@ -298,7 +296,7 @@ std::vector<Mover> Pedestrians::moversNear(std::size_t index, const RobotSweep& 
 
 /// Whether somebody touches nothing there, or comes no nearer to what is too near already.
 bool Pedestrians::mayStandAt(std::size_t index, const Eigen::Vector2d& position, const RobotSweep& robot) const {
-  const Mover& self = walkers_[index].body;
+  const Mover& self = bodies_[index];
   if (!world_.isClear(position, self.radius)) {
     return false;
   }
@@ -309,19 +307,21 @@ bool Pedestrians::mayStandAt(std::size_t index, const Eigen::Vector2d& position,
   bool is_free = true;
   // The index knows where people were before this step; since then they went half a metre at most.
   index_.visitNear(position, 2.0 * self.radius + 0.3, [&](std::size_t other) {
-    const Eigen::Vector2d& p = walkers_[other].body.position;
+    const Eigen::Vector2d& p = bodies_[other].position;
     const double distance = (p - position).norm();
     is_free = is_free && (other == index || distance >= 2.0 * self.radius || distance >= (p - self.position).norm());
   });
   return is_free;
 }
 
-void Pedestrians::moveFeet(Walker& walker, double period, const RobotSweep& robot) const {
+void Pedestrians::moveFeet(std::size_t index, double period, const RobotSweep& robot) {
+  Walker& walker = walkers_[index];
+  const Mover& body = bodies_[index];
   const auto footing = [&](const Eigen::Vector2d& foot) {
     return world_.isClear(foot, walker.leg_radius) &&
            distanceToSweep(robot, foot) >= walker.leg_radius + kDistanceToRobot;
   };
-  walker.gait.step(walker.body.position, walker.heading, walker.body.velocity, period, footing);
+  walker.gait.step(body.position, walker.heading, body.velocity, period, footing);
 }
 
 void Pedestrians::updatePeople() {

@@ -53,10 +53,11 @@ RaysOnCircles castOnCircles(const std::vector<Circle>& circles, const Rigid2& T_
   const Eigen::Matrix2d rotation = T_lidar_map.rotation();
   for (std::size_t k = 0; k < circles.size(); ++k) {
     const Eigen::Vector2d centre = rotation * circles[k].centre + T_lidar_map.translation();
-    const SeenCircle seen{centre.norm(), std::atan2(centre.y(), centre.x()), circles[k].radius};
-    if (!(seen.distance - seen.radius <= fan.range_max)) {
+    const double distance = centre.norm();
+    if (!(distance - circles[k].radius <= fan.range_max)) {
       continue;
     }
+    const SeenCircle seen{distance, std::atan2(centre.y(), centre.x()), circles[k].radius};
     const double half_width = seen.distance > seen.radius ? std::asin(seen.radius / seen.distance) : M_PI;
     visitRays(fan, background.size(), seen.bearing, half_width, [&](std::size_t i) {
       const double entry = entryInto(seen, fan.angle_min + static_cast<double>(i) * fan.angle_increment);

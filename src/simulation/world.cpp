@@ -132,8 +132,10 @@ double World::castRay(const Eigen::Vector2d& p_map, double heading, double range
   return kInfinity;
 }
 
-double World::clearance(const Eigen::Vector2d& p_map) const {
-  const Eigen::Vector2d p = toCells(p_map);
+double World::clearance(const Eigen::Vector2d& p_map) const { return clearanceIn(toCells(p_map)); }
+
+/// The same for a point of the padded grid [cells].
+double World::clearanceIn(const Eigen::Vector2d& p) const {
   if (!isInside(p)) {
     return 0.0;
   }
@@ -146,7 +148,7 @@ double World::clearance(const Eigen::Vector2d& p_map) const {
 
 bool World::isClear(const Eigen::Vector2d& p_map, double radius) const {
   const Eigen::Vector2d p = toCells(p_map);
-  const double certain = clearance(p_map);
+  const double certain = clearanceIn(p);
   if (!isInside(p) || certain >= radius || certain + kClearanceError * geometry_.resolution < radius) {
     return isInside(p) && certain >= radius;
   }

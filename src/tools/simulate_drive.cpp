@@ -57,7 +57,7 @@ class Summary {
 void simulate(const Arguments& arguments) {
   const DriveOptions options = arguments.drive.options();
   DriveSimulation simulation(arguments.drive.map(), options);
-  map_matcher::DriveBagOptions bag_options;
+  map_matcher::DriveMessageOptions bag_options;
   bag_options.score_threshold = options.detector.score_threshold;
   map_matcher::DriveBagWriter bag(arguments.bag, {simulation.lidarPoses(), 1.0 / options.rate}, bag_options);
   Summary summary;

@@ -1,6 +1,7 @@
 #include <geometry_msgs/PoseArray.h>
 #include <geometry_msgs/PoseStamped.h>
 #include <gtest/gtest.h>
+#include <map_matcher/PersonDetections.h>
 #include <nav_msgs/Odometry.h>
 #include <ros/serialization.h>
 #include <rosbag/bag.h>
@@ -11,6 +12,7 @@
 
 #include <cstdint>
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -190,9 +192,9 @@ TEST_F(DriveBag, isTheSameForTheSameSeedOnly) {
 }
 
 TEST_F(DriveBag, takesOtherNamesAndAnotherStart) {
-  DriveBagOptions options;
+  DriveMessageOptions options;
   options.start_stamp = 50.25;
-  options.lidars = {{"/sick_laser_front/scan", "/detections", "sick_laser_front"}};
+  options.lidars = {{"/sick_laser_front/scan", "detections", "scored_detections", "sick_laser_front"}};
   options.map_frame = "truth_map";
   const std::string path = dir_ / "named.bag";
   writeDriveBag(drive_, path, options);
@@ -281,14 +283,46 @@ TEST(CrowdedDriveBag, holdsDetectionsAsDrSpaamSendsThem) {
   }
 }
 
+/// With scores a detection counts from whatever score its user wants.
+TEST(CrowdedDriveBag, holdsEveryDetectionWithItsScore) {
+  const TemporaryDir dir;
+  const Drive drive = crowdedDrive();
+  writeDriveBag(drive, dir / "crowd.bag");
+  for (std::size_t lidar = 0; lidar < 2; ++lidar) {
+    const std::string topic = lidar == 0 ? "/person_detections/front" : "/person_detections/rear";
+    rosbag::Bag bag(dir / "crowd.bag", rosbag::bagmode::Read);
+    std::size_t num_messages = 0;
+    std::size_t num_low = 0;
+    for (const rosbag::MessageInstance& instance : rosbag::View(bag, rosbag::TopicQuery(topic))) {
+      const auto message = instance.instantiate<PersonDetections>();
+      ASSERT_TRUE(message);
+      EXPECT_EQ(message->header.frame_id, lidar == 0 ? "sick_laser_front" : "sick_laser_rear");
+      EXPECT_NEAR((instance.getTime() - message->header.stamp).toSec(), 0.1, 1e-6);
+      const DriveStep& step = drive.steps[message->header.seq];
+      EXPECT_NEAR(message->header.stamp.toSec(), 1000.0 + step.time, 1e-6);
+      const std::vector<DetectedPerson>& expected = step.detections[lidar]->people;
+      ASSERT_EQ(message->detections.size(), expected.size());
+      for (std::size_t k = 0; k < expected.size(); ++k) {
+        EXPECT_EQ(message->detections[k].position.x, expected[k].position.x());
+        EXPECT_EQ(message->detections[k].position.y, expected[k].position.y());
+        EXPECT_EQ(message->detections[k].score, static_cast<float>(expected[k].score));
+        num_low += expected[k].score < 0.4 ? 1U : 0U;
+      }
+      ++num_messages;
+    }
+    EXPECT_EQ(num_messages, (drive.steps.size() + 1) / 2);
+    EXPECT_GT(num_low, 0U);
+  }
+}
+
 TEST(CrowdedDriveBag, refusesNamesForAnotherNumberOfLidars) {
   const TemporaryDir dir;
-  DriveBagOptions options;
+  DriveMessageOptions options;
   options.lidars = lidarNames(1);
   const std::string text =
-      thrownText<DriveBagError>([&] { writeDriveBag(crowdedDrive(), dir / "crowd.bag", options); });
+      thrownText<std::invalid_argument>([&] { writeDriveBag(crowdedDrive(), dir / "crowd.bag", options); });
   EXPECT_NE(text.find("names for 1 lidars, expected 2"), std::string::npos) << text;
-  EXPECT_EQ(lidarNames(3)[2].scan_topic, "/laser_3/scan");
+  EXPECT_EQ(lidarNames(3)[2].scan_topic, "laser_3/scan");
 }
 
 TEST_F(DriveBag, thatCannotBeWrittenIsAnErrorThatNamesTheFile) {
@@ -299,9 +333,10 @@ TEST_F(DriveBag, thatCannotBeWrittenIsAnErrorThatNamesTheFile) {
 
 TEST_F(DriveBag, refusesAStartThatIsNoStamp) {
   for (const double stamp : {0.0, -5.0, 1e10, std::nan("")}) {
-    DriveBagOptions options;
+    DriveMessageOptions options;
     options.start_stamp = stamp;
-    const std::string text = thrownText<DriveBagError>([&] { writeDriveBag(drive_, dir_ / "bad.bag", options); });
+    const std::string text =
+        thrownText<std::invalid_argument>([&] { writeDriveBag(drive_, dir_ / "bad.bag", options); });
     EXPECT_NE(text.find("start_stamp is"), std::string::npos) << text;
   }
 }

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "map_matcher/parameters/yaml_parameters.hpp"
+#include "map_matcher/ros/crowd_simulator_server_options.hpp"
 #include "map_matcher/ros/lidar_scrubber_server_options.hpp"
 #include "map_matcher/ros/map_matcher_server_options.hpp"
 #include "map_matcher/ros/pose_evaluator_server.hpp"
@@ -38,6 +39,11 @@ std::map<std::string, Entry> readEntries(const std::string& path) {
   return entries;
 }
 
+struct CrowdSimulatorFile {
+  using Options = CrowdSimulatorServerOptions;
+  static constexpr const char* kPath = MAP_MATCHER_SOURCE_DIR "/config/crowd_simulator.yaml";
+};
+
 struct LidarScrubberFile {
   using Options = LidarScrubberServerOptions;
   static constexpr const char* kPath = MAP_MATCHER_SOURCE_DIR "/config/lidar_scrubber.yaml";
@@ -67,7 +73,8 @@ class ParameterFile : public testing::Test {
   std::map<std::string, Entry> entries = readEntries(File::kPath);
 };
 
-using Files = testing::Types<LidarScrubberFile, MapMatcherFile, PoseEvaluatorFile, SessionMapperFile>;
+using Files =
+    testing::Types<CrowdSimulatorFile, LidarScrubberFile, MapMatcherFile, PoseEvaluatorFile, SessionMapperFile>;
 TYPED_TEST_SUITE(ParameterFile, Files, );
 
 TYPED_TEST(ParameterFile, NamesEveryParameterAndNoOther) {

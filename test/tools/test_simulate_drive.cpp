@@ -89,6 +89,8 @@ TEST_F(SimulateDrive, drivesAPepperAmongPeopleTheSameWayEachTime) {
                                                         {"/ground_truth", 46},
                                                         {"/odom", 46},
                                                         {"/people_truth", 46},
+                                                        {"/person_detections/front", 46},
+                                                        {"/person_detections/rear", 46},
                                                         {"/sick_laser_front/scan", 46},
                                                         {"/sick_laser_rear/scan", 46},
                                                         {"/tf", 46}}));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -57,8 +58,6 @@ class PathPlanner {
     std::vector<std::uint32_t> came_from;  // for each cell the index of the cell before it; WayField::kNone: not found
     std::optional<Cell> reached;           // the goal
   };
-  using IsGoal = std::function<bool(const Cell&)>;
-  using CostToGo = std::function<float(const Cell&)>;
 
   std::size_t indexOf(const Cell& cell) const {
     return static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(geometry_.width) +
@@ -68,7 +67,9 @@ class PathPlanner {
   void measureCosts();
   void findPlaces();
   std::optional<Cell> freeCellNear(const Eigen::Vector2d& p_map) const;
+  template <typename IsGoal, typename CostToGo>
   Search explore(const Cell& start, const IsGoal& is_goal, const CostToGo& cost_to_go) const;
+  std::array<bool, 8> stepsFrom(const Cell& cell) const;
   Path pathTo(const Cell& reached, const Cell& first, const std::vector<std::uint32_t>& came_from) const;
 
   const World& world_;

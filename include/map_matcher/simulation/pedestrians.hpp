@@ -72,11 +72,10 @@ class Pedestrians {
   const std::vector<Person>& people() const { return people_; }
 
   /// A person's body, which no wall, no other body and no robot touches.
-  const Mover& bodyOf(std::size_t person) const { return walkers_[person].body; }
+  const Mover& bodyOf(std::size_t person) const { return bodies_[person]; }
 
  private:
   struct Walker {
-    Mover body;
     double heading;
     double speed;                     // [m/s] where nobody is in the way
     double leg_radius;                // [m]
@@ -98,7 +97,7 @@ class Pedestrians {
   std::vector<Mover> moversNear(std::size_t index, const RobotSweep& robot) const;
   bool mayStandAt(std::size_t index, const Eigen::Vector2d& position, const RobotSweep& robot) const;
   void move(std::size_t index, double period, const RobotSweep& robot);
-  void moveFeet(Walker& walker, double period, const RobotSweep& robot) const;
+  void moveFeet(std::size_t index, double period, const RobotSweep& robot);
   void updatePeople();
 
   const World& world_;
@@ -107,6 +106,7 @@ class Pedestrians {
   PathPlanner planner_;
   std::optional<Errands> errands_;  // none where nobody is
   std::vector<Walker> walkers_;
+  std::vector<Mover> bodies_;  // of the walkers; by themselves, since everybody looks at those of many others
   PlaceIndex index_;
   std::size_t num_steps_ = 0;
   std::vector<Person> people_;

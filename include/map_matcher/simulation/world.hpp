@@ -43,6 +43,7 @@ class World {
   }
   Eigen::Vector2d toCells(const Eigen::Vector2d& p_map) const;
   bool isInside(const Eigen::Vector2d& p) const;
+  double clearanceIn(const Eigen::Vector2d& p) const;
   void measureStrides(const OccupancyGrid& grid, std::int8_t occupied_threshold);
   void measureFreeSpace(const OccupancyGrid& grid, std::int8_t occupied_threshold);
 
