@@ -149,7 +149,7 @@ TEST_F(RecordedTrial, RefusesATruthOfAnotherType) {
 }
 
 TEST_F(RecordedTrial, RefusesATruthInTheFrameOfTheOdometry) {
-  DriveBagOptions options;
+  DriveMessageOptions options;
   options.map_frame = "odom";
   writeDriveBag(smallDrive(), request.bag, options);
 
