@@ -6,7 +6,7 @@
 namespace map_matcher {
 namespace {
 
-/// Levels that one expansion goes down, at most 4, so that the children fit into a tile.
+/// Levels that one expansion goes down, at most 3, so that the children fit into a tile.
 constexpr int kLevelsAtOnce = 1;
 
 /// The window with its first translation on the grain of a level.

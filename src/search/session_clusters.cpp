@@ -9,6 +9,10 @@
 namespace map_matcher {
 namespace {
 
+/// Half of what is left free of a window for the rounding of single precision, which is below 0.01 cells for
+/// kMaxSessionDiagonal [cells].
+constexpr double kRounding = 0.02;
+
 struct Cluster {
   Eigen::Vector2d middle;
   std::int32_t size;
@@ -22,7 +26,7 @@ class Clustering {
       farthest_ = std::max(farthest_, p.norm());
     }
     arc_ = shape.halfArc() / std::max(farthest_, 1e-9);
-    room_ = 0.5 * shape.room() - kClusterRounding;
+    room_ = 0.5 * shape.room() - kRounding;
   }
 
   std::vector<Cluster> run() {

@@ -20,10 +20,6 @@ struct SessionClusters {
   std::int32_t total = 0;                ///< Session cells.
 };
 
-/// Half of what is left free of a window for the rounding of single precision, which is below 0.01 cells for
-/// kMaxSessionDiagonal [cells].
-constexpr double kClusterRounding = 0.02;
-
 /// The largest clusters whose cells all lie in the window of their middle at each rotation of a node of a level, by
 /// halving clusters that are too large. Cells near the session's centre move less when it turns, so that clusters are
 /// larger there. A rotation step moves the farthest cell by half a cell at most.
