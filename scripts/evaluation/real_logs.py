@@ -21,7 +21,7 @@ def plan(runs, arguments):
             continue
         config = runs.write_config("real_logs_%s_mapper" % bag, map_update_interval=0.5, **parameters)
         scrubber = runs.write_config("real_logs_scrubber", mode="synchronised")
-        for density in (0, 0.3) if arguments.quick else (0, 0.3, 1):
+        for density in (0, 0.3):
             for variant in VARIANTS if density else VARIANTS[:1]:  # where nobody is, nobody is detected
                 people = ["--density", density, "--standing-share", 0.5, "--seed", 1] if density else []
                 scrub = ["--scrub", "--scrubber-config", scrubber] if variant == "scrubbed" else []

@@ -178,7 +178,7 @@ class MonteCarloLocalizer::Impl {
       }
     }
     T_odom_base_ = T_odom_base;
-    if (observations.size() == 0 || !hasMoved()) {
+    if (observations.empty() || !hasMoved()) {
       return false;
     }
     weigh(observations);
