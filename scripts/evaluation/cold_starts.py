@@ -6,7 +6,7 @@ NAME = "cold_starts"
 INTERVAL = 30.0  # [s] between two starts
 PATIENCE = 20.0  # [s] in which the robot is to find itself
 RIGHT = 1.0  # [m] of a correct start
-DENSE = 1.0  # [people/m^2] beyond which a robot hardly moves, and one drive tells as much as two
+DENSE = 1.0  # [people/m^2] beyond which a robot hardly moves, so that a short drive tells as much as a long one
 VARIANTS = ("original", "scrubbed")
 COLOURS = {"correct": "tab:green", "wrong": "tab:red", "none": "0.6"}
 
@@ -17,13 +17,14 @@ def plan(runs, arguments):
     config = runs.write_config("cold_starts_mapper", delta=0.05, map_update_interval=1.0)
     drives = {}
     for density in (0, 1) if arguments.quick else (0, 0.3, 0.6, 1, 2, 3):
+        duration = 60 if arguments.quick else 300 if density <= DENSE else 150
         for variant in VARIANTS:
             drives[density, variant] = [
                 runs.drive("cold_starts_%g_%s_%d" % (density, variant, seed), [
-                    *world, "--duration", (60 if arguments.quick else 300) - 0.1, "--seed", seed, "--density", density,
+                    *world, "--duration", duration - 0.1, "--seed", seed, "--density", density,
                     "--standing-share", 0.5, "--mapper-config", config, "--restart-interval", INTERVAL,
                     *(["--scrub"] if variant == "scrubbed" else [])], monte_carlo=True)
-                for seed in ((1,) if arguments.quick or density > DENSE else (1, 2))]
+                for seed in ((1,) if arguments.quick or density >= 1 else (1, 2))]
     return runs, drives
 
 

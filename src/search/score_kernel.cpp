@@ -129,7 +129,7 @@ MAP_MATCHER_INLINE void addTiles(const Chunk& chunk, TileCounts& counts) {
         Vector sum;
         load(digits[digit].data(), part, sum);
         const Vector next = sum & carry;
-        store(Vector(sum ^ carry), part, digits[digit].data());
+        store(sum ^ carry, part, digits[digit].data());
         carry = next;
       }
     }
@@ -157,7 +157,7 @@ MAP_MATCHER_INLINE void findReaching(const TileCounts& counts, std::uint32_t num
         equal &= ~bits;
       }
     }
-    store(Vector(larger | equal), part, reaching.data());
+    store(larger | equal, part, reaching.data());
   }
 }
 
@@ -175,6 +175,7 @@ MAP_MATCHER_INLINE void readColumn(const TileCounts& counts, int column, ColumnC
 }
 
 // The same functions for each instruction set.
+// NOLINTBEGIN(bugprone-macro-parentheses): an attribute cannot stand in parentheses.
 #define MAP_MATCHER_KERNEL(SUFFIX, TARGET, BYTES)                                                          \
   TARGET void addTiles##SUFFIX(const Chunk& chunk, TileCounts& counts) { addTiles<BYTES>(chunk, counts); } \
   TARGET void findReaching##SUFFIX(const TileCounts& counts, std::uint32_t number, TileBits& reaching) {   \
@@ -184,6 +185,7 @@ MAP_MATCHER_INLINE void readColumn(const TileCounts& counts, int column, ColumnC
     readColumn(counts, column, result);                                                                    \
   }
 
+// NOLINTEND(bugprone-macro-parentheses)
 MAP_MATCHER_KERNEL(Baseline, , 16)
 #if MAP_MATCHER_X86
 MAP_MATCHER_KERNEL(Avx2, __attribute__((target("avx2"))), 32)
@@ -336,13 +338,13 @@ void ScoreKernel::scoreTile(const PooledLevel& level, const RotatedCells& cells,
   }
 }
 
-void ScoreKernel::scoreTile(const PooledLevel& level, const WeightedCells& weighted, const Cell& first,
+void ScoreKernel::scoreTile(const PooledLevel& level, const WeightedCells& cells, const Cell& first,
                             const TileSize& size, std::int32_t min_count, std::vector<TileScore>& scores) const {
   scores.clear();
-  TileCounting counting(*functions_, level, first, size, weighted.total, min_count);
+  TileCounting counting(*functions_, level, first, size, cells.total, min_count);
   std::size_t begin = 0;
-  for (const WeightedCells::Run& run : weighted.runs) {
-    if (!counting.add(&weighted.cells.x[begin], &weighted.cells.y[begin], run.size, run.weight)) {
+  for (const WeightedCells::Run& run : cells.runs) {
+    if (!counting.add(&cells.cells.x[begin], &cells.cells.y[begin], run.size, run.weight)) {
       return;
     }
     begin += run.size;
