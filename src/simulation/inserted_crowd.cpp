@@ -73,6 +73,7 @@ CrowdedScan InsertedCrowd::among(const MountedScan& recorded) {
   const std::vector<Circle> legs = legsOf(people_->people());
   const std::vector<std::size_t> in_sight = legsInSight(legs);
   std::vector<Circle> seen;
+  seen.reserve(in_sight.size());
   for (const std::size_t leg : in_sight) {
     seen.push_back(legs[leg]);
   }
