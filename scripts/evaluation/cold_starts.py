@@ -1,6 +1,6 @@
 """Report figure 20: cold starts in crowds of growing density, with original and with scrubbed scans."""
 import matplotlib.pyplot as plt
-from pages import COLUMNS, arguments_of, picture, save, section, table, write_table
+from pages import COLUMNS, arguments_of, draw_map, picture, save, section, table, write_table
 
 NAME = "cold_starts"
 INTERVAL = 30.0  # [s] between two starts
@@ -25,7 +25,7 @@ def plan(runs, arguments):
                     "--standing-share", 0.5, "--mapper-config", config, "--restart-interval", INTERVAL,
                     *(["--scrub"] if variant == "scrubbed" else [])], monte_carlo=True)
                 for seed in ((1,) if arguments.quick or density >= 1 else (1, 2))]
-    return runs, drives
+    return drives, office if world else None
 
 
 def starts_of(run):
@@ -44,7 +44,7 @@ def starts_of(run):
 
 
 def report(planned, page):
-    _, drives = planned
+    drives, map_file = planned
     all_runs = [run for runs in drives.values() for run in runs]
     write_table(page / "cold_starts.csv", all_runs, COLUMNS)
     densities = sorted({density for density, _ in drives})
@@ -59,7 +59,7 @@ def report(planned, page):
             cells += [len(outcomes), correct, outcomes.count("wrong"), outcomes.count("none")]
         rows.append(cells)
     shares = {variant: 100.0 * correct / max(1, count) for variant, (correct, count) in totals.items()}
-    plot(drives, densities, page / "cold_starts.png")
+    plot(drives, densities, map_file, page / "cold_starts.png")
     header = ["people/m^2", *["%s: %s" % (v, what) for v in VARIANTS for what in ("starts", "correct", "wrong", "none")]]
     return section(
         "Cold starts in a crowd",
@@ -72,11 +72,14 @@ def report(planned, page):
         arguments_of(all_runs))
 
 
-def plot(drives, densities, path):
-    figure, axes = plt.subplots(len(densities), 2, figsize=(11, 2.2 * len(densities)), squeeze=False, sharex=True,
+def plot(drives, densities, map_file, path):
+    """Each start where the robot was, on the map where it is a file."""
+    figure, axes = plt.subplots(len(densities), 2, figsize=(11, 2.7 * len(densities)), squeeze=False, sharex=True,
                                 sharey=True)
     for line, density in zip(axes, densities):
         for axis, variant in zip(line, VARIANTS):
+            if map_file:
+                draw_map(axis, map_file)
             for run in drives[density, variant]:
                 for outcome, row in starts_of(run):
                     axis.plot(row["truth_x"], row["truth_y"], "o", color=COLOURS[outcome], markersize=4)

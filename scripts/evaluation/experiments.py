@@ -18,11 +18,13 @@ def own_bag(arguments):
     return replay.Replay(arguments) if arguments.mapper else own.Bag(arguments)
 
 
-def write_page(page, parts, arguments):
+def write_page(page, parts, arguments, num_open):
     """The page of an evaluation, from the parts of its experiments."""
     kind = " of a bag" if arguments.bag else ", quick" if arguments.quick else ""
     head = ["# Evaluation" + kind, "",
             "Written by `scripts/evaluate`; do not edit. Each table and figure comes from the CSV file named beside it, "
             "each row of which holds the run it belongs to; the runs' arguments, seeds included, are listed at the "
             "end of each part. Session maps are drawn by %s." % (arguments.mapper or "session_mapper"), ""]
+    if num_open > 0:
+        head += ["**%d runs were not done yet and are missing from the tables.**" % num_open, ""]
     (page / "README.md").write_text("\n".join(head + parts), encoding="utf-8")

@@ -78,7 +78,7 @@ def figures_of_maps(runs):
 
 
 def report(planned, page):
-    _, drives = planned
+    drives, _ = planned
     all_runs = [run for runs in drives.values() for run in runs]
     write_table(page / "monte_carlo.csv", all_runs, COLUMNS, lambda run: run.side_rows())
     densities = sorted({density for density, _ in drives})
@@ -127,12 +127,12 @@ def plot(drives, densities, path):
             axes[1].bar(place, figures[4], color="tab:orange" if name == "Monte-Carlo" else "tab:blue",
                         label=name if variant == VARIANTS[0] and k == 0 else None)
             places.append(place)
-            labels.append("%s\n%s\n%g" % ("filter" if name == "Monte-Carlo" else "maps", variant, density))
+            labels.append("%s, %s, %g" % ("filter" if name == "Monte-Carlo" else "maps", variant, density))
     axes[0].set_ylabel("share of the starts")
     axes[1].set_ylabel("time to a correct answer [s]")
     axes[1].set_xticks(places)
-    axes[1].set_xticklabels(labels, fontsize=6)
+    axes[1].set_xticklabels(labels, fontsize=8, rotation=90)
     axes[1].set_xlabel("method, scans, people/m^2")
     for axis in axes:
-        axis.legend(fontsize=8)
+        axis.legend(fontsize=8, loc="upper left")
     save(figure, path)

@@ -3,6 +3,7 @@ import csv
 import math
 
 import matplotlib
+import yaml
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
@@ -56,6 +57,16 @@ def save(figure, path):
     figure.tight_layout()
     figure.savefig(path, dpi=80)
     plt.close(figure)
+
+
+def draw_map(axis, path):
+    """The walls of a map file behind what is drawn on the axis; maps that are not turned."""
+    with open(path, encoding="utf-8") as file:
+        description = yaml.safe_load(file)
+    image = plt.imread(path.parent / description["image"])
+    x, y = description["origin"][:2]
+    width, height = (description["resolution"] * cells for cells in image.shape[1::-1])
+    axis.imshow(image, cmap="gray", extent=(x, x + width, y, y + height), alpha=0.6)
 
 
 def stage_time(row, stage):
