@@ -38,7 +38,7 @@ TEST_F(Evaluate, writesAPageWithTablesAndFigures) {
   const ProgramRun done = run(arguments);
 
   ASSERT_EQ(done.exit_status, 0) << done.output;
-  EXPECT_NE(done.output.find("2 runs, 0 failed"), std::string::npos) << done.output;
+  EXPECT_NE(done.output.find("4 runs, 0 failed"), std::string::npos) << done.output;
   EXPECT_NE(page().find("| time to the first match [s] | mean | 1.91 |"), std::string::npos) << page();
   EXPECT_EQ(page().find("nan"), std::string::npos) << page();
   for (const char* name : {"crowd.csv", "crowd_ratios.png", "crowd_times.png", "crowd_match.png"}) {
@@ -46,7 +46,14 @@ TEST_F(Evaluate, writesAPageWithTablesAndFigures) {
   }
 
   const ProgramRun again = run(arguments);
-  EXPECT_NE(again.output.find("2 runs, 2 of them done before"), std::string::npos) << again.output;
+  EXPECT_NE(again.output.find("4 runs, 4 of them done before"), std::string::npos) << again.output;
+}
+
+TEST_F(Evaluate, drawsThePageOfWhatWasDoneAndSaysWhatIsMissing) {
+  const ProgramRun done = run("--quick --only crowd --draw-only --data " + (dir / "nowhere"));
+
+  ASSERT_EQ(done.exit_status, 0) << done.output;
+  EXPECT_NE(page().find("**4 runs were not done yet and are missing from the tables.**"), std::string::npos) << page();
 }
 
 TEST_F(Evaluate, namesABagThatIsNotThere) {
