@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <optional>
 #include <random>
 #include <stdexcept>
@@ -72,9 +73,9 @@ void computeLikelihoods(const MonteCarloOptions& options, mrpt::maps::COccupancy
   likelihood.LF_maxCorrsDistance = static_cast<float>(options.laser_likelihood_max_dist);
   likelihood.LF_decimation = 1;  // the beams are chosen before
   mrpt::maps::CSimplePointsMap row;
-  for (int y = 0; y < static_cast<int>(map.getSizeY()); ++y) {
+  for (std::size_t y = 0; y < map.getSizeY(); ++y) {
     row.clear();
-    for (int x = 0; x < static_cast<int>(map.getSizeX()); ++x) {
+    for (std::size_t x = 0; x < map.getSizeX(); ++x) {
       row.insertPoint(map.idx2x(x), map.idx2y(y));
     }
     map.computeLikelihoodField_Thrun(&row);
