@@ -62,6 +62,7 @@ def report(drives, page):
         "of simulated walkers, half of whom stand, are put into the recorded scans where the ground truth says how the "
         "robot stands to them; they hide what lies behind, and a simulated detector looks for them. The recorded robot "
         "does not wait for them. These lasers are slow (up to 3 s between two scans), so each scan waits for its "
-        "detections (`mode: synchronised`). [real_logs.csv](real_logs.csv)" % RIGHT,
+        "detections (`mode: synchronised`). A place is that of the robot: it is wrong as well where the maps lie right on each "
+        "other (alignment_x_error and so on in the table) but the mapper has slipped. [real_logs.csv](real_logs.csv)" % RIGHT,
         table(["bag", "people/m^2", "scans", *["%g m" % length for length in LENGTHS]], rows),
         arguments_of(list(drives.values())))

@@ -59,7 +59,8 @@ def report(planned, page):
         "Static building",
         "Report section 3.3.1: a robot explores a generated office (55 m x 15 m) by frontiers. The reference map is "
         "drawn from a drive with a lidar of sigma 0.01 m and nearly exact odometry, the session maps with the sigma "
-        "of the run; one query a session map. [static.csv](static.csv)",
+        "of the run; one query a session map. The match has its default hit_tolerance of 0.05 m, which a sigma of 0.05 m "
+        "and the mapper's drift exceed: maps that fall below min_hit_ratio are not accepted. [static.csv](static.csv)",
         table(header, rows), *parts, arguments_of(runs_of(runs, "static")))
 
 
