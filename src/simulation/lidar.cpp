@@ -41,7 +41,7 @@ LidarView Lidar::scanAmong(const std::vector<Circle>& circles, const World& worl
   const RaysOnCircles nearest = castOnCircles(circles, T_map_lidar, {angle_min, angle_increment, reach}, walls);
 
   LidarView view;
-  view.scan = {angle_min, angle_increment, options_.range_min, options_.range_max, {}};
+  view.scan = {{angle_min, angle_increment, options_.range_min, options_.range_max}, {}};
   view.scan.ranges.reserve(walls.size());
   view.rays_on.assign(circles.size(), 0);
   for (std::size_t i = 0; i < walls.size(); ++i) {
