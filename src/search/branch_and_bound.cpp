@@ -31,7 +31,7 @@ constexpr int kLevelsAtOnce = 2;
 /// Levels above the initial nodes at which empty parts of a map are passed over.
 constexpr int kSieveLevels = 2;
 
-/// Tiles of a window that are scored without a look at what lies above them.
+/// Tiles of a window that are scored without a look at which of them can hold anything.
 constexpr std::int64_t kFewTiles = 24;
 
 class DepthFirstSearch {
@@ -86,7 +86,7 @@ class DepthFirstSearch {
     const auto n = static_cast<std::size_t>(rotation);
     const int stride = 1 << problem_.root_level;
     SearchWindow window = problem_.windows[n];
-    if (window.last.x - window.first.x > 2 * stride * kTileColumns) {  // else counting takes no longer than a look
+    if (!window.empty() && numTiles(window, stride) > kFewTiles) {  // else counting takes no longer than a look
       window = intersection(window, reachableWindow(problem_.reference, problem_.rotations[n], threshold_));
     }
     if (window.empty()) {

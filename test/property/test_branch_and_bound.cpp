@@ -110,6 +110,26 @@ TEST(BranchAndBound, OrderOfTheInitialListDoesNotChangeTheScore) {
   }
 }
 
+TEST(BranchAndBound, PassesOverTheEmptyPartOfANarrowWindow) {
+  for (std::uint32_t seed = 0; seed < 20; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomSearch search(seed);
+    for (SearchWindow& window : search.windows) {
+      window.first = {window.first.x, -100};
+      window.last = {window.first.x + 3, 200};
+    }
+    const std::int32_t expected = test::exhaustiveBest(search.grids[0], search.rotations, search.windows);
+    for (SearchWindow& window : search.windows) {
+      window = {{window.first.x, everywhere().first.y}, {window.last.x, everywhere().last.y}};
+    }
+
+    const SearchOutcome outcome = branchAndBound(search.problem(2));
+
+    ASSERT_EQ(outcome.best ? outcome.best->count : 0, expected);
+    EXPECT_LT(outcome.nodes_scored, 1000000);
+  }
+}
+
 TEST(BranchAndBound, GivesTheSamePoseOnEveryRun) {
   const RandomSearch search(3);
 
