@@ -21,6 +21,8 @@ constexpr int kMostClimbs = 20;
 /// Rotations looked at on either side of a pose before the exact search.
 constexpr int kClimbedRotations = 2;
 
+const char* const kStoppedReason = "the search was stopped before its proof was complete";
+
 bool searched(const MatchResult& answer) {
   return answer.status == MatchStatus::kMatched || answer.status == MatchStatus::kBelowAcceptanceRatio ||
          answer.status == MatchStatus::kNotCertified;
@@ -32,7 +34,7 @@ MatchResult outOfTime(const MatchResult& answer, const MatchOptions& options, co
   result.upper_bound = 1.0;
   const Verdict verdict = judge(result, options);
   result.status = deadline.stopped() ? MatchStatus::kStopped : verdict.status;
-  result.reason = deadline.stopped() ? "the search was stopped before its proof was complete" : verdict.reason;
+  result.reason = deadline.stopped() ? kStoppedReason : verdict.reason;
   return result;
 }
 
@@ -194,7 +196,7 @@ class Certification {
     }
     if (outcome.stopped) {
       result_.status = MatchStatus::kStopped;
-      result_.reason = "the search was stopped before its proof was complete";
+      result_.reason = kStoppedReason;
       return;
     }
     const Verdict verdict = judge(result_, options_, best && agreesWithPrior(*best));

@@ -72,16 +72,15 @@ PooledLevel::PooledLevel(int level, int width, int height, const WallArray& pool
       origin_((kTileRows + 1) * row_length_ + kTileColumns + 1) {
   requireAddressable(width, height, level);
   words_.assign(static_cast<std::size_t>(phase_size_) << (2 * level), 0);
-  const int first_x = std::max(1 - stride(), shift - pooled.margin() / grain);
-  const int first_y = std::max(1 - stride(), shift - pooled.margin() / grain);
+  const int first = std::max(1 - stride(), shift - pooled.margin() / grain);  // along both axes
   const int end_x = std::min(width, divideUp(pooled.width() + pooled.margin(), grain) + shift);
   const int end_y = std::min(height, divideUp(pooled.height() + pooled.margin(), grain) + shift);
-  for (int y = first_y; y < end_y; ++y) {
+  for (int y = first; y < end_y; ++y) {
     const std::uint8_t* row = pooled.row((y - shift) * grain) - static_cast<std::ptrdiff_t>(shift) * grain;
     for (int phase = 0; phase < stride(); ++phase) {
       TileWord* target = &words_[address(phase, y)];
-      const int behind = (phase - first_x) & (stride() - 1);  // the first column of the phase
-      for (int x = first_x + behind; x < end_x; x += stride()) {
+      const int behind = (phase - first) & (stride() - 1);  // the first column of the phase
+      for (int x = first + behind; x < end_x; x += stride()) {
         target[x >> level_] = row[static_cast<std::ptrdiff_t>(x) * grain];
       }
     }

@@ -1,6 +1,5 @@
 #include "map_matcher/search/rotation_blocks.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -11,14 +10,6 @@
 
 namespace map_matcher {
 namespace {
-
-double farthestPoint(const SessionCells& session) {
-  double farthest = 0.0;
-  for (const Eigen::Vector2d& p : session.points) {
-    farthest = std::max(farthest, p.norm());
-  }
-  return farthest;
-}
 
 /// Turning by an angle and moving by `offset` along both axes, in steps of the grain.
 struct Turn {

@@ -100,6 +100,14 @@ Points sorted(const Points& points) {
 
 }  // namespace
 
+double farthestPoint(const SessionCells& session) {
+  double farthest = 0.0;
+  for (const Eigen::Vector2d& p : session.points) {
+    farthest = std::max(farthest, p.norm());
+  }
+  return farthest;
+}
+
 int downsamplingSteps(const SessionCells& session) {
   return static_cast<int>(std::floor(std::log2(2.0 * std::max(1, session.longest_side)))) - 1;  // eq. 4.1
 }

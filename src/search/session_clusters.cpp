@@ -21,13 +21,10 @@ struct Cluster {
 /// Halves sets of points until each fits into a window.
 class Clustering {
  public:
-  Clustering(const SessionCells& session, const BlockShape& shape) : points_(session.points) {
-    for (const Eigen::Vector2d& p : points_) {
-      farthest_ = std::max(farthest_, p.norm());
-    }
-    arc_ = shape.halfArc() / std::max(farthest_, 1e-9);
-    room_ = 0.5 * shape.room() - kRounding;
-  }
+  Clustering(const SessionCells& session, const BlockShape& shape)
+      : points_(session.points),
+        arc_(shape.halfArc() / std::max(farthestPoint(session), 1e-9)),
+        room_(0.5 * shape.room() - kRounding) {}
 
   std::vector<Cluster> run() {
     divide(points_.begin(), points_.end());
@@ -69,9 +66,8 @@ class Clustering {
   }
 
   std::vector<Eigen::Vector2d> points_;
-  double farthest_ = 0.0;
-  double arc_ = 0.0;   // that a cell at unit distance describes, to either side
-  double room_ = 0.0;  // to either side
+  double arc_;   // that a cell at unit distance describes, to either side
+  double room_;  // to either side
   std::vector<Cluster> clusters_;
 };
 

@@ -25,9 +25,6 @@ void requireUsable(int width, int height, double tolerance, int top_level) {
   }
 }
 
-/// Logarithm of a power of two.
-constexpr int levelOf(int power) { return power <= 1 ? 0 : 1 + levelOf(power / 2); }
-
 /// Cells around (0, 0) whose centres lie within `tolerance` of its own.
 std::vector<Cell> disc(double tolerance, int reach) {
   const double farthest = (tolerance + kRounding) * (tolerance + kRounding);
@@ -67,7 +64,7 @@ WidenedGrids::WidenedGrids(int width, int height, const std::vector<Cell>& walls
       pooled.growWindow(BlockShape{level - 1}.window(), BlockShape{level}.window());
     }
     const BlockShape shape{level};
-    const int phases = shape.level - levelOf(shape.grain());
+    const int phases = shape.level - shape.grainLevel();
     const int columns = (width + reach_) / shape.grain() + 1 + shift(level);
     const int rows = (height + reach_) / shape.grain() + 1 + shift(level);
     levels_.emplace_back(phases, columns, rows, pooled, shift(level), shape.grain());
@@ -81,7 +78,7 @@ int WidenedGrids::shift(int level) const {
 }
 
 Cell WidenedGrids::position(int level, const Cell& first) const {
-  const int grain = levelOf(BlockShape{level}.grain());
+  const int grain = BlockShape{level}.grainLevel();
   return {(first.x >> grain) + shift(level), (first.y >> grain) + shift(level)};
 }
 

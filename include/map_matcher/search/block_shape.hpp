@@ -26,7 +26,8 @@ struct BlockShape {
 
   /// Positions of nodes, of the cells that stand for others and hence of windows are multiples of this [cells]: a high
   /// level needs no more, and a small part of the memory.
-  constexpr int grain() const { return level < 3 ? 1 : stride() / 4; }
+  constexpr int grain() const { return 1 << grainLevel(); }
+  constexpr int grainLevel() const { return level < 3 ? 0 : level - 2; }  ///< Logarithm of the grain.
 
   /// How far a session cell may lie right of and above the cell that stands for it, at most [cells].
   constexpr int spread() const { return room() + grain() - 1; }

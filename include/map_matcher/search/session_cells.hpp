@@ -22,6 +22,9 @@ struct SessionCells {
   int longest_side = 0;                 ///< max(i, j) of eq. 4.1 [cells].
 };
 
+/// Distance of the farthest point from the centre [cells]; 0 without points.
+double farthestPoint(const SessionCells& session);
+
 /// Number of downsampling steps H = log2(max(2 i, 2 j)) - 1 of eq. 4.1, at least 0: from this level on a node is about
 /// as wide as the session map.
 int downsamplingSteps(const SessionCells& session);
