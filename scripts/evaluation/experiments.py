@@ -9,12 +9,16 @@ import real_logs
 import replay
 import sessions
 import static
+from runs import BadInput
 
 ALL = [static, crowd, cold_starts, mapping, monte_carlo, real_logs, sessions]
 
 
 def own_bag(arguments):
     """Offline with session_mapper, or with a mapper that is asked for through replay."""
+    for path in (arguments.bag, arguments.map):
+        if not path.exists():
+            raise BadInput("there is no file '%s'" % path)
     return replay.Replay(arguments) if arguments.mapper else own.Bag(arguments)
 
 

@@ -8,9 +8,6 @@ class Bag:
     NAME = "own"
 
     def __init__(self, arguments):
-        for path in (arguments.bag, arguments.map):
-            if not path.exists():
-                raise BadInput("there is no file '%s'" % path)
         self._arguments = arguments
         self._runs = None
 

@@ -15,9 +15,6 @@ class Replay:
     NAME = "replay"
 
     def __init__(self, arguments):
-        for path in (arguments.bag, arguments.map):
-            if not path.exists():
-                raise BadInput("there is no file '%s'" % path)
         self._arguments = arguments
 
     def plan(self, runs, _):

@@ -48,10 +48,6 @@ def row_of(truth_file, run):
         searched[1], refined[1], result["search_time"])))
 
 
-def mean_or_dash(values, scale):
-    return scale * Statistics(values).mean
-
-
 def report(matches, page):
     rows = [row for row in (row_of(truth, run) for truth, run in matches) if row]
     if not rows:
@@ -70,11 +66,11 @@ def report(matches, page):
             sum(row["error_refined"] > RIGHT for row in accepted),
             Statistics([row["hit_ratio"] for row in accepted]).least,
             Statistics([row["margin"] for row in accepted]).least,
-            mean_or_dash([row["error_searched"] for row in accepted], 1e3),
-            mean_or_dash([row["error_refined"] for row in accepted], 1e3),
-            mean_or_dash([row["yaw_error_searched"] for row in accepted], 1e3),
-            mean_or_dash([row["yaw_error_refined"] for row in accepted], 1e3),
-            mean_or_dash([row["search_time"] for row in chosen], 1e3)])
+            1e3 * Statistics([row["error_searched"] for row in accepted]).mean,
+            1e3 * Statistics([row["error_refined"] for row in accepted]).mean,
+            1e3 * Statistics([row["yaw_error_searched"] for row in accepted]).mean,
+            1e3 * Statistics([row["yaw_error_refined"] for row in accepted]).mean,
+            1e3 * Statistics([row["search_time"] for row in chosen]).mean])
     return section(
         "Recorded sessions",
         "Session maps drawn by slam_gmapping with a known place, each matched alone. Certified: it is proven that no "
