@@ -1,8 +1,10 @@
-"""Runs nodes that are to end by themselves."""
+"""Runs nodes and launch files that are to end by themselves."""
 import subprocess
 
 import roslib.packages
 import rospy
+
+from node_fixture import wait_until
 
 DEADLINE = 20.0  # [s]
 BAD_INPUT = 2  # exit code
@@ -17,3 +19,13 @@ def run_node(executable, **parameters):
                           timeout=DEADLINE, check=False)
     rospy.delete_param("/under_test")
     return done.returncode, done.stdout.decode()
+
+
+def run_launch(launch_file, deadline, *arguments):
+    """Starts a launch file of this package and waits until it ends; fails after the deadline [s]."""
+    launch = subprocess.Popen(["roslaunch", "map_matcher", launch_file, *arguments])
+    try:
+        wait_until(lambda: launch.poll() is not None, "%s ended" % launch_file, deadline)
+    finally:
+        launch.terminate()
+        launch.wait()

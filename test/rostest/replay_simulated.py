@@ -1,6 +1,5 @@
 #!/usr/bin/env python3
 """A simulated drive, replayed as replay.launch does it: the robot's pose through tf agrees with the ground truth."""
-import math
 import os
 import subprocess
 import tempfile
@@ -13,7 +12,9 @@ import rostest
 import tf2_ros
 
 from map_matcher.msg import MapMatch
-from node_fixture import Listener, wait_until
+from node_fixture import Listener
+from node_runs import run_launch
+from pose_errors import position_errors
 
 DRIVE = ["--seed", "3", "--duration", "45", "--rate", "10", "--beams", "271"]
 REPLAY_RATE = 4.0  # times faster than driven
@@ -25,11 +26,6 @@ WORST_ERROR = 0.4  # [m]
 
 def run_tool(name, *arguments):
     subprocess.run([roslib.packages.find_node("map_matcher", name)[0], *arguments], check=True)
-
-
-def position_error(truth, transform):
-    position, translation = truth.pose.position, transform.transform.translation
-    return math.hypot(translation.x - position.x, translation.y - position.y)
 
 
 class ReplaySimulated(unittest.TestCase):
@@ -48,17 +44,11 @@ class ReplaySimulated(unittest.TestCase):
         tf2_ros.TransformListener(buffer)
         truth = Listener("/ground_truth", geometry_msgs.msg.PoseStamped)
         matches = Listener("/map_match", MapMatch)
-        replay = subprocess.Popen(["roslaunch", "map_matcher", "replay.launch", "map:=" + self.map, "bag:=" + self.bag,
-                                   "rate:=%g" % REPLAY_RATE, "rviz:=false", "end_with_bag:=true"])
-        try:
-            wait_until(lambda: replay.poll() is not None, "the replay ended", REPLAY_DEADLINE)
-        finally:
-            replay.terminate()
-            replay.wait()
+        run_launch("replay.launch", REPLAY_DEADLINE, "map:=" + self.map, "bag:=" + self.bag, "rate:=%g" % REPLAY_RATE,
+                   "rviz:=false", "end_with_bag:=true")
 
         self.assertEqual({match.status_text for match in matches.messages}, {"matched"})
-        errors = [position_error(pose, buffer.lookup_transform("map", "base_link", pose.header.stamp))
-                  for pose in truth.messages if buffer.can_transform("map", "base_link", pose.header.stamp)]
+        errors = position_errors(buffer, truth.messages)
         self.assertGreater(len(errors), MIN_COMPARED * len(truth.messages))
         print("localized %.1f s after the start; %d of %d poses compared: mean %.3f m, worst %.3f m" % (
             (matches.messages[0].header.stamp - truth.messages[0].header.stamp).to_sec(), len(errors),

@@ -2,7 +2,6 @@
 """Everything of simulated_crowd.launch together: the robot finds itself among people, who are scrubbed."""
 import math
 import os
-import subprocess
 import tempfile
 import unittest
 
@@ -13,18 +12,15 @@ import tf2_ros
 from sensor_msgs.msg import LaserScan
 
 from map_matcher.msg import MapMatch
-from node_fixture import Listener, wait_until
+from node_fixture import Listener
+from node_runs import run_launch
+from pose_errors import position_errors
 
 DEADLINE = 120.0  # [s], for the drive to end
 LAUNCH = ["building_seed:=1", "seed:=3", "density:=0.15", "duration:=40", "real_time_factor:=3", "scrub:=true",
           "rviz:=false", "end_with_drive:=true"]
 SIMULATOR = "{beams: 271, rate: 10.0}"
 WORST_ERROR = 0.3  # [m], of the robot's pose on tf
-
-
-def distance(truth, transform):
-    position, translation = truth.pose.position, transform.transform.translation
-    return math.hypot(translation.x - position.x, translation.y - position.y)
 
 
 class SimulatedCrowd(unittest.TestCase):
@@ -44,17 +40,10 @@ class SimulatedCrowd(unittest.TestCase):
         matches = Listener("/map_match", MapMatch)
         raw = Listener("/nonscrubbed/scan", LaserScan)
         scrubbed = Listener("/scan", LaserScan)
-        live = subprocess.Popen(["roslaunch", "map_matcher", "simulated_crowd.launch", *LAUNCH,
-                                 "simulator_config:=" + self.config])
-        try:
-            wait_until(lambda: live.poll() is not None, "the drive ended", DEADLINE)
-        finally:
-            live.terminate()
-            live.wait()
+        run_launch("simulated_crowd.launch", DEADLINE, *LAUNCH, "simulator_config:=" + self.config)
 
         self.assertIn(MapMatch.MATCHED, {match.status for match in matches.messages})
-        errors = [distance(pose, buffer.lookup_transform("map", "base_link", pose.header.stamp))
-                  for pose in truth.messages if buffer.can_transform("map", "base_link", pose.header.stamp)]
+        errors = position_errors(buffer, truth.messages)
         print("%d of %d poses compared: mean %.3f m, worst %.3f m" % (
             len(errors), len(truth.messages), sum(errors) / len(errors), max(errors)))
         self.assertGreater(len(errors), 0.5 * len(truth.messages))
