@@ -4,16 +4,15 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
-#include "map_matcher/evaluation/map_quality.hpp"
 #include "map_matcher/parameters/option_check.hpp"
 #include "map_matcher/scrubbing/range_removal.hpp"
 
 namespace map_matcher {
 namespace {
 
-constexpr double kWallTolerance = 0.15;  // [m] from a wall: not falsely occupied
-constexpr double kRemembered = 2.0;      // [s] of odometry
+constexpr double kRemembered = 2.0;  // [s] of odometry
 
 Stamp stampOf(double time) { return std::chrono::duration_cast<Stamp>(std::chrono::duration<double>(time)); }
 
@@ -30,34 +29,10 @@ Eigen::Isometry3d toSpace(const Rigid2& pose, bool upside_down) {
 
 }  // namespace
 
-std::optional<Rigid2> TrialQuery::alignment() const {
-  if (!result.matched()) {
-    return std::nullopt;
-  }
-  return result.T_reference_session;
-}
-
-std::optional<Rigid2> TrialQuery::estimate() const {
-  if (!result.matched()) {
-    return std::nullopt;
-  }
-  return result.T_reference_session * T_session_base;
-}
-
-std::optional<PoseError> TrialQuery::robotError() const {
-  const std::optional<Rigid2> pose = estimate();
-  return pose && truth ? std::optional<PoseError>(errorOf(*pose, *truth)) : std::nullopt;
-}
-
 Trial::Trial(const OccupancyGrid& reference, const TrialOptions& options)
-    : options_(options),
-      reference_(reference),
-      mapper_(options.mapper),
-      matcher_(options.match),
-      cache_(options.scrubbing.cache) {
+    : options_(options), mapper_(options.mapper), matching_(reference, options.match), cache_(options.scrubbing.cache) {
   ScrubbingOptions scrubbing = options.scrubbing;
   throwIfAny(problemsOf(parametersOf(scrubbing)));
-  matcher_.setReference(reference);
 }
 
 void Trial::add(const TrialDetections& detections) {
@@ -122,7 +97,7 @@ bool Trial::map(const TrialStep& step, const std::vector<MountedScan>& scans) {
 
 void Trial::beginSession(const TrialStep& step) {
   mapper_.reset();
-  alignment_.reset();
+  matching_.beginSession();
   ++session_;
   session_start_ = step.time;
   last_map_.reset();
@@ -168,29 +143,15 @@ std::optional<Eigen::Isometry3d> Trial::poseOf(const DetectionSet& set, const Mo
 }
 
 void Trial::match(const TrialStep& step) {
-  const std::optional<OccupancyGrid> map = mapper_.map();
   TrialQuery query;
   query.time = step.time;
   query.session = session_;
   query.session_age = step.time - session_start_;
   query.travelled = travelled_;
-  MatchPrior prior;
-  prior.alignment = alignment_;
-  query.result = matcher_.match(*map, prior);
   query.T_session_base = mapper_.T_session_base();
   query.true_alignment = true_alignment_;
   query.truth = step.truth;
-  if (query.result.matched()) {
-    alignment_ = query.result.T_reference_session;
-    const MapQuality quality = mapQuality(reference_, *map, query.result.T_reference_session, kWallTolerance,
-                                          static_cast<std::int8_t>(options_.match.occupied_threshold));
-    query.falsely_occupied = quality.falsely_occupied;
-    query.occupied = quality.occupied;
-    if (on_first_match_) {
-      std::exchange(on_first_match_, nullptr)(*map, query.result.T_reference_session);
-    }
-  }
-  queries_.push_back(std::move(query));
+  matching_.match(*mapper_.map(), std::move(query));
 }
 
 }  // namespace map_matcher

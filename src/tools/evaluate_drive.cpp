@@ -16,6 +16,7 @@
 #include "map_matcher/evaluation/truth_fit.hpp"
 #include "map_matcher/grid/map_file.hpp"
 #include "map_matcher/parameters/yaml_parameters.hpp"
+#include "map_matcher/ros/bag_session_maps.hpp"
 #include "map_matcher/ros/bag_trial.hpp"
 #include "map_matcher/ros/lidar_scrubber_server_options.hpp"
 #include "map_matcher/ros/map_matcher_server_options.hpp"
@@ -24,6 +25,7 @@
 namespace {
 
 using map_matcher::OccupancyGrid;
+using map_matcher::SessionMatching;
 using map_matcher::Trial;
 using map_matcher::TrialOptions;
 using map_matcher::TrialQuery;
@@ -33,6 +35,7 @@ struct Arguments {
 
   map_matcher::tools::DriveArguments drive;
   map_matcher::BagTrialRequest recorded;
+  std::string session_maps;
   std::string reference;
   std::string config;
   std::string mapper_config;
@@ -100,11 +103,11 @@ void write(const std::string& path, const std::string& text) {
   }
 }
 
-void printSummary(const Trial& trial) {
+void printSummary(const std::vector<TrialQuery>& queries) {
   int matched = 0;
   int right = 0;
   std::optional<TrialQuery> first;
-  for (const TrialQuery& query : trial.queries()) {
+  for (const TrialQuery& query : queries) {
     const auto error = query.robotError();
     matched += query.result.matched() ? 1 : 0;
     right += error && error->translation < 1.0 ? 1 : 0;
@@ -112,7 +115,7 @@ void printSummary(const Trial& trial) {
       first = query;
     }
   }
-  std::cout << trial.queries().size() << " session maps, " << matched << " matched, " << right
+  std::cout << queries.size() << " session maps, " << matched << " matched, " << right
             << " of them within 1 m of the truth";
   if (first) {
     std::cout << "; first match after " << first->session_age << " s";
@@ -121,12 +124,12 @@ void printSummary(const Trial& trial) {
 }
 
 /// The session map in the frame of the truth, where it really lies.
-OccupancyGrid placed(const OccupancyGrid& session, const Trial& trial) {
-  if (!trial.trueAlignment()) {
+OccupancyGrid placed(const OccupancyGrid& session, const TrialQuery& query) {
+  if (!query.true_alignment) {
     throw std::invalid_argument("--place-session is given, but the drive has no true poses");
   }
   map_matcher::GridGeometry geometry = session.geometry();
-  geometry.T_map_grid = *trial.trueAlignment() * geometry.T_map_grid;
+  geometry.T_map_grid = *query.true_alignment * geometry.T_map_grid;
   return {geometry, session.values()};
 }
 
@@ -200,17 +203,42 @@ void play(const Arguments& arguments, const OccupancyGrid& map, const OccupancyG
   }
 }
 
-void writeMaps(const Arguments& arguments, const OccupancyGrid& reference, const Trial& trial) {
-  const auto session = trial.sessionMap();
-  if (session && !arguments.session.empty()) {
-    saveMap(arguments.place_session ? placed(*session, trial) : *session, arguments.session);
+/// Matches the session maps that a mapper drew while the bag was recorded.
+void matchRecorded(const Arguments& arguments, SessionMatching& matching) {
+  const map_matcher::BagTrialRequest& recorded = arguments.recorded;
+  const map_matcher::BagSessionMapsResult result =
+      matchSessionMaps({recorded.bag, arguments.session_maps, recorded.truth_topic, recorded.truth_frame,
+                        recorded.odom_frame, recorded.base_frame},
+                       matching);
+  if (result.maps_left_out > 0) {
+    warn(std::to_string(result.maps_left_out) + " of " + std::to_string(result.maps) +
+         " session maps left out: " + result.last_problem);
   }
-  if (session && !arguments.last_overlay.empty()) {
-    std::optional<map_matcher::Rigid2> pose;
-    if (trial.queries().back().result.matched()) {
-      pose = trial.queries().back().result.T_reference_session;
-    }
-    map_matcher::writeOverlayImage(arguments.last_overlay, reference, *session, pose);
+}
+
+void drawFirstMatch(const Arguments& arguments, const OccupancyGrid& reference, SessionMatching& matching) {
+  if (arguments.first_overlay.empty()) {
+    return;
+  }
+  matching.onFirstMatch([&](const OccupancyGrid& session, const map_matcher::Rigid2& T_reference_session) {
+    map_matcher::writeOverlayImage(arguments.first_overlay, reference, session, T_reference_session);
+  });
+}
+
+/// `session`: the session map at the end of the drive.
+void writeResults(const Arguments& arguments, const OccupancyGrid& reference, const SessionMatching& matching,
+                  const std::optional<OccupancyGrid>& session) {
+  write(arguments.output, toCsv(matching.queries()));
+  printSummary(matching.queries());
+  if (matching.queries().empty()) {
+    return;
+  }
+  const TrialQuery& last = matching.queries().back();
+  if (session && !arguments.session.empty()) {
+    saveMap(arguments.place_session ? placed(*session, last) : *session, arguments.session);
+  }
+  if (!arguments.last_overlay.empty()) {
+    map_matcher::writeOverlayImage(arguments.last_overlay, reference, *matching.lastMap(), last.alignment());
   }
 }
 
@@ -220,29 +248,35 @@ void evaluate(const Arguments& arguments) {
   }
   const OccupancyGrid map = isRecorded(arguments) ? map_matcher::loadMap(arguments.reference) : arguments.drive.map();
   const OccupancyGrid reference = arguments.reference.empty() ? map : map_matcher::loadMap(arguments.reference);
-  Trial trial(reference, readOptions(arguments));
-  if (!arguments.first_overlay.empty()) {
-    trial.onFirstMatch([&](const OccupancyGrid& session, const map_matcher::Rigid2& T_reference_session) {
-      map_matcher::writeOverlayImage(arguments.first_overlay, reference, session, T_reference_session);
-    });
+  const TrialOptions options = readOptions(arguments);
+  if (!arguments.session_maps.empty()) {
+    if (hasPeople(arguments)) {
+      throw std::invalid_argument("--people or --density is given with --session-maps, in which no one can be put");
+    }
+    SessionMatching matching(reference, options.match);
+    drawFirstMatch(arguments, reference, matching);
+    matchRecorded(arguments, matching);
+    writeResults(arguments, reference, matching, matching.lastMap());
+    return;
   }
+  Trial trial(reference, options);
+  drawFirstMatch(arguments, reference, trial.matching());
   play(arguments, map, reference, trial);
-  write(arguments.output, toCsv(trial.queries()));
-  writeMaps(arguments, reference, trial);
-  printSummary(trial);
+  writeResults(arguments, reference, trial.matching(), trial.sessionMap());
 }
 
 void describe(CLI::App& app, Arguments& arguments) {
   app.add_option("--output", arguments.output, "CSV file to write: a row for each session map")->required();
   app.add_option("--reference", arguments.reference, "YAML file of the map to match to; default: the one driven in");
   app.add_option("--config", arguments.config, "parameters, as in config/map_matcher.yaml");
-  app.add_option("--mapper-config", arguments.mapper_config, "parameters, as in config/session_mapper.yaml");
+  auto* mapper_config =
+      app.add_option("--mapper-config", arguments.mapper_config, "parameters, as in config/session_mapper.yaml");
   app.add_option("--scrubber-config", arguments.scrubber_config, "parameters, as in config/lidar_scrubber.yaml");
-  app.add_flag("--scrub", arguments.trial.scrub, "remove people from the scans before they are mapped");
-  app.add_option("--restart-interval", arguments.trial.restart_interval,
-                 "throw the session map away so often [s]; 0: never")
-      ->capture_default_str()
-      ->check(CLI::Range(0.0, 1e6));
+  auto* scrub = app.add_flag("--scrub", arguments.trial.scrub, "remove people from the scans before they are mapped");
+  auto* restart = app.add_option("--restart-interval", arguments.trial.restart_interval,
+                                 "throw the session map away so often [s]; 0: never")
+                      ->capture_default_str()
+                      ->check(CLI::Range(0.0, 1e6));
   auto* monte_carlo = app.add_option("--monte-carlo", arguments.monte_carlo,
                                      "CSV file to write: what Monte-Carlo localization without a prior makes of the "
                                      "same scans, at the same moments");
@@ -253,7 +287,17 @@ void describe(CLI::App& app, Arguments& arguments) {
   app.add_option("--first-overlay", arguments.first_overlay, "picture of the first match");
   app.add_option("--last-overlay", arguments.last_overlay, "picture of the last session map where it was matched");
   auto* bag = app.add_option("--bag", arguments.recorded.bag, "recorded drive to use instead of a simulated one");
-  app.add_option("--scan", arguments.recorded.scan_topic, "its topic of scans; default: the only one")->needs(bag);
+  auto* scan = app.add_option("--scan", arguments.recorded.scan_topic, "its topic of scans; default: the only one");
+  scan->needs(bag);
+  app.add_option("--session-maps", arguments.session_maps,
+                 "its topic of maps that slam_gmapping or another mapper drew when it was recorded, "
+                 "nav_msgs/OccupancyGrid: they are matched, and no scans are mapped")
+      ->needs(bag)
+      ->excludes(scan)
+      ->excludes(mapper_config)
+      ->excludes(scrub)
+      ->excludes(restart)
+      ->excludes(monte_carlo);
   app.add_option("--truth", arguments.recorded.truth_topic, "its topic of true poses, geometry_msgs/PoseStamped")
       ->needs(bag);
   app.add_option("--truth-frame", arguments.recorded.truth_frame, "frame that they must have; default: any")

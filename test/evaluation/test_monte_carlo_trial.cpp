@@ -43,7 +43,7 @@ struct Compared {
 TEST(MonteCarloTrial, HasARowForEachMapQuery) {
   const Compared compared(5.0);
 
-  const std::vector<TrialQuery>& queries = compared.trial->queries();
+  const std::vector<TrialQuery>& queries = compared.trial->matching().queries();
   ASSERT_EQ(compared.rows.size(), queries.size());
   ASSERT_GT(queries.size(), 4U);
   for (std::size_t i = 0; i < queries.size(); ++i) {

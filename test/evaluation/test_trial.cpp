@@ -43,7 +43,7 @@ std::vector<TrialQuery> queriesOf(const TrialOptions& options, const DriveOption
       trial.add(detections);
     }
   }
-  return trial.queries();
+  return trial.matching().queries();
 }
 
 TEST(Trial, LocalizesARobotThatDrivesThroughAnOffice) {

@@ -96,8 +96,8 @@ TEST_F(RecordedTrial, TakesEveryScanWithItsTruth) {
 
   EXPECT_EQ(result.scans, 31);
   EXPECT_EQ(result.scans_left_out, 0) << result.last_problem;
-  ASSERT_FALSE(trial->queries().empty());
-  for (const TrialQuery& query : trial->queries()) {
+  ASSERT_FALSE(trial->matching().queries().empty());
+  for (const TrialQuery& query : trial->matching().queries()) {
     ASSERT_TRUE(query.truth.has_value());
     const auto step = static_cast<std::size_t>(std::lround((query.time - 1000.0) * 5.0));
     EXPECT_NEAR(query.truth->x, smallDrive().steps[step].T_map_base.x, 1e-9);
@@ -205,7 +205,7 @@ int numDifferent(const std::vector<PlanarScan>& a, const std::vector<PlanarScan>
 
 /// The table of a trial but for how long the searches took.
 std::string tableWithoutTimes(const Trial& trial) {
-  std::vector<TrialQuery> queries = trial.queries();
+  std::vector<TrialQuery> queries = trial.matching().queries();
   for (TrialQuery& query : queries) {
     query.result.search_time = 0.0;
     for (StageReport& stage : query.result.stages) {

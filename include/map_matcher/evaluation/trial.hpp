@@ -8,12 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "map_matcher/evaluation/trajectory_error.hpp"
+#include "map_matcher/evaluation/session_matching.hpp"
 #include "map_matcher/mapping/session_mapper.hpp"
 #include "map_matcher/scrubbing/detection_cache.hpp"
 #include "map_matcher/scrubbing/scan_scrubber.hpp"
 #include "map_matcher/scrubbing/scrubbing_options.hpp"
-#include "map_matcher/search/map_matcher.hpp"
 
 namespace map_matcher {
 
@@ -44,27 +43,6 @@ struct TrialOptions {
   MatchOptions match;
 };
 
-/// One session map and what the matcher made of it.
-struct TrialQuery {
-  double time = 0.0;         ///< Of the map [s].
-  int session = 0;           ///< Counts the sessions from 0.
-  double session_age = 0.0;  ///< Since the session's first scan [s].
-  double travelled = 0.0;    ///< In the session, by odometry [m].
-  MatchResult result;
-  Rigid2 T_session_base;                 ///< Where the mapper believes the robot to be in its map.
-  std::optional<Rigid2> true_alignment;  ///< T_reference_session as of the session's first scan, where it is known.
-  std::optional<Rigid2> truth;           ///< T_reference_base, where it is known.
-  int falsely_occupied = 0;              ///< Session cells in free space of the reference, at the matched pose [cells].
-  int occupied = 0;                      ///< Occupied session cells [cells].
-
-  /// T_reference_session by the match; nothing without one.
-  std::optional<Rigid2> alignment() const;
-  /// T_reference_base by the match; nothing without one.
-  std::optional<Rigid2> estimate() const;
-  /// Of the robot's pose; nothing when it or the truth is not known.
-  std::optional<PoseError> robotError() const;
-};
-
 /// What the mapper was given at an instant, for what is to be compared with it.
 struct TrialMoment {
   double time = 0.0;                       ///< [s]
@@ -91,21 +69,16 @@ class Trial {
   /// The next instant, in the order of time.
   void add(const TrialStep& step);
 
-  /// Called once with the first session map that is matched and T_reference_session.
-  using OnFirstMatch = std::function<void(const OccupancyGrid&, const Rigid2&)>;
-  void onFirstMatch(OnFirstMatch on_first_match) { on_first_match_ = std::move(on_first_match); }
+  /// What becomes of the session maps.
+  SessionMatching& matching() { return matching_; }
+  const SessionMatching& matching() const { return matching_; }
+
+  /// The session map with all that was drawn so far; nothing before the first scan was.
+  std::optional<OccupancyGrid> sessionMap() const { return mapper_.map(); }
 
   /// Called at the end of each step.
   using OnMoment = std::function<void(const TrialMoment&)>;
   void onMoment(OnMoment on_moment) { on_moment_ = std::move(on_moment); }
-
-  const std::vector<TrialQuery>& queries() const { return queries_; }
-
-  /// T_reference_session of the present session, where it is known.
-  const std::optional<Rigid2>& trueAlignment() const { return true_alignment_; }
-
-  /// The last session map; nothing before the first scan was drawn.
-  std::optional<OccupancyGrid> sessionMap() const { return mapper_.map(); }
 
  private:
   struct PastPose {
@@ -123,24 +96,20 @@ class Trial {
   void match(const TrialStep& step);
 
   TrialOptions options_;
-  OccupancyGrid reference_;
   SessionMapper mapper_;
-  MapMatcher matcher_;
+  SessionMatching matching_;
   DetectionCache cache_;
   ScanScrubber scrubber_;
   std::vector<TrialDetections> pending_;  // not there yet
   std::vector<PastPose> past_;            // of the last moments, for detections of earlier scans
   std::vector<LaserMount> mounts_;        // of each laser
-  std::vector<TrialQuery> queries_;
-  OnFirstMatch on_first_match_;  // null when it was called, or nobody asked
-  OnMoment on_moment_;           // null when nobody asked
+  OnMoment on_moment_;                    // null when nobody asked
   int session_ = -1;
   double session_start_ = 0.0;
   std::optional<double> last_map_;
   double travelled_ = 0.0;
   std::optional<Rigid2> last_odometry_;
   std::optional<Rigid2> true_alignment_;
-  std::optional<Rigid2> alignment_;  // of the session's last accepted map
 };
 
 }  // namespace map_matcher

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "map_matcher/evaluation/trial.hpp"
+#include "map_matcher/evaluation/trial_query.hpp"
 
 namespace map_matcher {
 

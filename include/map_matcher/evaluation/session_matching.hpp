@@ -1,0 +1,45 @@
+/// \file
+/// The session maps of a drive, one after the other, matched as the node would.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "map_matcher/evaluation/trial_query.hpp"
+#include "map_matcher/search/map_matcher.hpp"
+
+namespace map_matcher {
+
+/// Matches session maps to a reference map and keeps what came of it. Not thread-safe.
+class SessionMatching {
+ public:
+  /// Throws std::invalid_argument that names every option out of range.
+  SessionMatching(const OccupancyGrid& reference, const MatchOptions& options);
+
+  /// A new session begins: its maps have another frame than those before.
+  void beginSession() { alignment_.reset(); }
+
+  /// The session's next map. `query` says how the map came to be; result, occupied and falsely_occupied are filled in.
+  void match(OccupancyGrid map, TrialQuery query);
+
+  /// Called once with the first session map that is matched and T_reference_session.
+  using OnFirstMatch = std::function<void(const OccupancyGrid&, const Rigid2&)>;
+  void onFirstMatch(OnFirstMatch on_first_match) { on_first_match_ = std::move(on_first_match); }
+
+  const std::vector<TrialQuery>& queries() const { return queries_; }
+
+  /// The last session map; nothing before the first one.
+  const std::optional<OccupancyGrid>& lastMap() const { return last_map_; }
+
+ private:
+  OccupancyGrid reference_;
+  MapMatcher matcher_;
+  std::vector<TrialQuery> queries_;
+  std::optional<OccupancyGrid> last_map_;
+  std::optional<Rigid2> alignment_;  // of the session's last accepted map
+  OnFirstMatch on_first_match_;      // null when it was called, or nobody asked
+};
+
+}  // namespace map_matcher

@@ -1,0 +1,141 @@
+#include "map_matcher/ros/bag_session_maps.hpp"
+
+#include <nav_msgs/OccupancyGrid.h>
+#include <rosbag/view.h>
+#include <tf2/exceptions.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "map_matcher/ros/bag_truth.hpp"
+#include "map_matcher/ros/conversions.hpp"
+#include "map_matcher/ros/scan_conversions.hpp"
+
+namespace map_matcher {
+namespace {
+
+constexpr const char* kMapType = "nav_msgs/OccupancyGrid";
+constexpr double kOdometryStep = 0.2;  // [s] at which the way driven is measured
+
+ros::Duration lengthOf(const rosbag::Bag& bag) {
+  rosbag::View view(bag);
+  return view.getEndTime() - view.getBeginTime();
+}
+
+class BagSessionMaps {
+ public:
+  BagSessionMaps(const BagSessionMapsRequest& request, SessionMatching& matching)
+      : request_(request), matching_(matching) {
+    openBag(bag_, request.bag);
+    const BagTopics topics = topicsOf(bag_);
+    map_topic_ = chooseTopic(request.bag, topics, request.map_topic);
+    if (topics.at(map_topic_) != kMapType) {
+      throw BagError("topic '" + map_topic_ + "' of bag '" + request.bag + "' is " + topics.at(map_topic_) +
+                     ", expected " + kMapType + "; the bag has " + listed(topics));
+    }
+    requireTransforms(request.bag, topics, request.odom_frame);
+    if (!request.truth_topic.empty()) {
+      truth_.emplace(
+          bag_, request.bag,
+          BagTruthRequest{request.truth_topic, request.truth_frame, {request.odom_frame, request.base_frame}});
+    }
+  }
+
+  BagSessionMapsResult run() {
+    readTransforms();
+    rosbag::View view(bag_, rosbag::TopicQuery(map_topic_));
+    for (const rosbag::MessageInstance& message : view) {
+      ++result_.maps;
+      try {
+        match(*message.instantiate<nav_msgs::OccupancyGrid>());
+      } catch (const MessageError& error) {
+        leaveOut(error.what());
+      } catch (const tf2::TransformException& error) {
+        leaveOut(error.what());
+      }
+    }
+    if (result_.maps == result_.maps_left_out) {
+      throw BagError("bag '" + request_.bag + "': none of the " + std::to_string(result_.maps) + " maps of " +
+                     map_topic_ + " could be used: " + result_.last_problem);
+    }
+    return result_;
+  }
+
+ private:
+  /// All of them at once: those that belong to a map may be recorded after it.
+  void readTransforms() {
+    tf_.emplace(lengthOf(bag_) + ros::Duration(10.0));
+    takeStaticTransforms(bag_, *tf_);
+    rosbag::View view(bag_, rosbag::TopicQuery(std::string("/tf")));
+    for (const rosbag::MessageInstance& message : view) {
+      if (const auto transforms = message.instantiate<tf2_msgs::TFMessage>()) {
+        takeTransforms(*transforms, false, *tf_);
+      }
+    }
+  }
+
+  void leaveOut(const std::string& problem) {
+    ++result_.maps_left_out;
+    result_.last_problem = problem;
+  }
+
+  Rigid2 poseOfBase(const std::string& frame, const ros::Time& stamp) const {
+    return projectToPlane(tf_->lookupTransform(frameName(frame), frameName(request_.base_frame), stamp).transform,
+                          "the pose of " + request_.base_frame + " in " + frame);
+  }
+
+  void match(const nav_msgs::OccupancyGrid& message) {
+    const ros::Time stamp = message.header.stamp;
+    OccupancyGrid map = fromMessage(message);
+    TrialQuery query;
+    query.T_session_base = poseOfBase(frameOf(message.header), stamp);
+    driveTo(stamp);
+    query.time = stamp.toSec();
+    query.session_age = (stamp - *first_).toSec();
+    query.travelled = travelled_;
+    query.truth = truth_ ? truth_->at(query.time) : std::nullopt;
+    if (!true_alignment_ && query.truth) {
+      true_alignment_ = *query.truth * query.T_session_base.inverse();
+    }
+    query.true_alignment = true_alignment_;
+    matching_.match(std::move(map), std::move(query));
+  }
+
+  /// Follows the odometry from where it was at the map before.
+  void driveTo(const ros::Time& stamp) {
+    if (!first_) {
+      first_ = stamp;
+      driven_until_ = stamp;
+      last_odometry_ = poseOfBase(request_.odom_frame, stamp);
+    }
+    while (driven_until_ < stamp) {
+      driven_until_ = std::min(stamp, driven_until_ + ros::Duration(kOdometryStep));
+      const Rigid2 odometry = poseOfBase(request_.odom_frame, driven_until_);
+      travelled_ += (odometry.translation() - last_odometry_.translation()).norm();
+      last_odometry_ = odometry;
+    }
+  }
+
+  const BagSessionMapsRequest& request_;
+  SessionMatching& matching_;
+  rosbag::Bag bag_;
+  std::string map_topic_;
+  std::optional<BagTruth> truth_;
+  std::optional<tf2::BufferCore> tf_;
+  std::optional<ros::Time> first_;  // stamp of the first map
+  ros::Time driven_until_;
+  Rigid2 last_odometry_;
+  double travelled_ = 0.0;
+  std::optional<Rigid2> true_alignment_;
+  BagSessionMapsResult result_;
+};
+
+}  // namespace
+
+BagSessionMapsResult matchSessionMaps(const BagSessionMapsRequest& request, SessionMatching& matching) {
+  return BagSessionMaps(request, matching).run();
+}
+
+}  // namespace map_matcher
