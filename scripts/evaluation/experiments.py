@@ -28,7 +28,9 @@ def write_page(page, parts, arguments, num_open):
     head = ["# Evaluation" + kind, "",
             "Written by `scripts/evaluate`; do not edit. Each table and figure comes from the CSV file named beside it, "
             "each row of which holds the run it belongs to; the runs' arguments, seeds included, are listed at the "
-            "end of each part. Session maps are drawn by %s." % (arguments.mapper or "session_mapper"), ""]
+            "end of each part. Session maps are drawn by %s." % (
+                arguments.mapper if arguments.bag and arguments.mapper else "session_mapper, unless the part says "
+                "otherwise"), ""]
     if num_open > 0:
         head += ["**%d runs were not done yet and are missing from the tables.**" % num_open, ""]
     (page / "README.md").write_text("\n".join(head + parts), encoding="utf-8")

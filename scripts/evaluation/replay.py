@@ -3,12 +3,9 @@ import json
 import math
 import shutil
 import subprocess
-from pathlib import Path
 
 from pages import arguments_of, picture, section, table
-from runs import BadInput
-
-SCRIPTS = Path(__file__).resolve().parent.parent
+from runs import SCRIPTS, BadInput
 
 
 class Replay:
@@ -19,20 +16,16 @@ class Replay:
 
     def plan(self, runs, _):
         asked = self._arguments
-        record = runs.path("replay_" + asked.mapper)
-        setup = runs.tools.parent.parent / "setup.bash"
-        arguments = [setup, asked.bag.resolve(), record, asked.rate, "map:=%s" % asked.map.resolve(),
-                     "mapper:=" + asked.mapper, "truth:=" + asked.truth]
+        arguments = ["map:=%s" % asked.map.resolve(), "mapper:=" + asked.mapper, "truth:=" + asked.truth]
         arguments += ["scan:=" + asked.scan] if asked.scan else []
-        return runs.add("replay_" + asked.mapper, SCRIPTS / "replay_bag", arguments,
-                        [record / "run.csv", record / "summary.json"])
+        return runs.replay("replay_" + asked.mapper, asked.bag.resolve(), asked.rate, arguments)
 
     def report(self, run, page):
         rows = run.rows()
         if not rows:
             raise BadInput(run.problem or "bag '%s' gave no true pose on %s" % (self._arguments.bag,
                                                                                self._arguments.truth))
-        table_file, summary_file = run.outputs
+        table_file, summary_file, _ = run.outputs
         summary = json.loads(summary_file.read_text(encoding="utf-8"))
         shutil.copy(table_file, page / "replay.csv")
         figures = [["true poses", summary["samples"]], ["with a pose on tf", summary["estimates"]],

@@ -3,6 +3,9 @@ import csv
 import json
 import math
 import subprocess
+from pathlib import Path
+
+SCRIPTS = Path(__file__).resolve().parent.parent
 
 
 class BadInput(Exception):
@@ -104,6 +107,14 @@ class Runs:
             outputs.append(self.path(name + "_monte_carlo.csv"))
             options += ["--monte-carlo", outputs[1]]
         return self.add(name, "evaluate_drive", [*options, *arguments], outputs, phase)
+
+    def replay(self, name, bag, rate, arguments, phase=0):
+        """A run of scripts/replay_bag with more arguments of replay.launch; its outputs are run.csv, summary.json and
+        session_maps.bag."""
+        directory = self.path(name)
+        setup = self.tools.parent.parent / "setup.bash"
+        return self.add(name, SCRIPTS / "replay_bag", [setup, bag, directory, rate, *arguments],
+                        [directory / output for output in ("run.csv", "summary.json", "session_maps.bag")], phase)
 
     def write_config(self, name, **parameters):
         path = self.path(name + ".yaml")
