@@ -17,17 +17,16 @@ SessionMatching::SessionMatching(const OccupancyGrid& reference, const MatchOpti
 }
 
 void SessionMatching::match(OccupancyGrid map, TrialQuery query) {
-  MatchPrior prior;
-  prior.alignment = alignment_;
-  query.result = matcher_.match(map, prior);
+  query.result = matcher_.match(map, memory_.prior());
+  memory_.add(query.result);
   if (query.result.matched()) {
-    alignment_ = query.result.T_reference_session;
-    const MapQuality quality = mapQuality(reference_, map, *alignment_, kWallTolerance,
+    const Rigid2& T_reference_session = query.result.T_reference_session;
+    const MapQuality quality = mapQuality(reference_, map, T_reference_session, kWallTolerance,
                                           static_cast<std::int8_t>(matcher_.options().occupied_threshold));
     query.falsely_occupied = quality.falsely_occupied;
     query.occupied = quality.occupied;
     if (on_first_match_) {
-      std::exchange(on_first_match_, nullptr)(map, *alignment_);
+      std::exchange(on_first_match_, nullptr)(map, T_reference_session);
     }
   }
   queries_.push_back(std::move(query));

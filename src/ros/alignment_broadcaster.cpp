@@ -54,11 +54,6 @@ void AlignmentBroadcaster::set(const Alignment& alignment) {
   alignment_ = alignment;
 }
 
-std::optional<Alignment> AlignmentBroadcaster::alignment() const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return alignment_;
-}
-
 void AlignmentBroadcaster::clear() {
   const std::lock_guard<std::mutex> lock(mutex_);
   alignment_.reset();

@@ -96,17 +96,22 @@ std::optional<std::future<MapMatch>> MapMatcherServer::matchSession() {
 
 void MapMatcherServer::submitMatch(const Answer& answer) {
   worker_.submit([this, session = session_, reference = reference_, answer](const StopToken& stop) {
-    MatchPrior prior;
-    const std::optional<Alignment> alignment = broadcaster_.alignment();
-    if (alignment && alignment->session_frame == frameName(session->header.frame_id)) {
-      prior.alignment = alignment->T_reference_session;
-    }
-    SessionMatch match = matchForBroadcast(matcher_, reference, *session, prior, stop);
+    SessionMatch match = matchForBroadcast(matcher_, reference, *session, priorFor(*session), stop);
     conclude(session, match, stop);
     if (answer) {
       answer->set_value(match.report);
     }
   });
+}
+
+/// What earlier maps of the same frame say.
+MatchPrior MapMatcherServer::priorFor(const nav_msgs::OccupancyGrid& session) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (memory_frame_ != session.header.frame_id) {
+    memory_.clear();
+    memory_frame_ = session.header.frame_id;
+  }
+  return memory_.prior();
 }
 
 void MapMatcherServer::conclude(const nav_msgs::OccupancyGridConstPtr& session, SessionMatch& match,
@@ -116,6 +121,7 @@ void MapMatcherServer::conclude(const nav_msgs::OccupancyGridConstPtr& session, 
     return;
   }
   MapMatch& report = match.report;
+  memory_.add(match.result);
   remember(session, report);
   dropped_session_maps_ += isUnusable(report) ? 1 : 0;
   complete(report);
@@ -179,6 +185,7 @@ bool MapMatcherServer::followClock(const ros::Time& now) {
 
 void MapMatcherServer::dropAlignment() {
   alignment_dropped_ = true;
+  memory_.clear();
   worker_.cancel();
   broadcaster_.clear();
   pose_publisher_.clear();

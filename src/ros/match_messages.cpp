@@ -26,6 +26,8 @@ std::uint8_t statusConstant(MatchStatus status) {
       return MapMatch::NOT_CERTIFIED;
     case MatchStatus::kAmbiguous:
       return MapMatch::AMBIGUOUS;
+    case MatchStatus::kUnconfirmed:
+      return MapMatch::UNCONFIRMED;
     case MatchStatus::kStopped:
       break;
   }

@@ -40,11 +40,11 @@ SessionMatch ReferenceMatcher::match(const ReferenceMapPtr& reference, const nav
   try {
     frameOf(session.header);
     const OccupancyGrid grid = fromMessage(session);
-    const MatchResult result = search(reference, grid, prior, stop);
-    match.report = toMessage(result);
+    match.result = search(reference, grid, prior, stop);
+    match.report = toMessage(match.result);
     match.resolution = grid.resolution();
-    if (result.matched()) {
-      match.cells = splitByMatch(reference->grid, grid, result.T_reference_session,
+    if (match.result.matched()) {
+      match.cells = splitByMatch(reference->grid, grid, match.result.T_reference_session,
                                  static_cast<std::int8_t>(options().occupied_threshold));
     }
   } catch (const MessageError& error) {

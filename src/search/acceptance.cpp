@@ -59,13 +59,21 @@ Verdict ambiguous(const MatchResult& result, const MatchOptions& options) {
   return {MatchStatus::kAmbiguous, reason.str()};
 }
 
+Verdict unconfirmed(const MatchResult& result, const MatchOptions& options) {
+  return {MatchStatus::kUnconfirmed,
+          hitsText(result, options) + "; " + elsewhereText(result) +
+              "; but an earlier map of the session was accepted at another place: the next " +
+              "one has to confirm which it is"};
+}
+
 }  // namespace
 
-Verdict judge(const MatchResult& result, const MatchOptions& options, bool agrees) {
+Verdict judge(const MatchResult& result, const MatchOptions& options, Standing standing) {
   if (result.certified && result.hit_cells < minCount(smallestHitRatio(options), result.total_cells)) {
     return belowAcceptanceRatio(result, options);
   }
-  if (result.certified && agrees && options.follow_alignment && result.margin < options.min_margin) {
+  if (result.certified && standing == Standing::kAgrees && options.follow_alignment &&
+      result.margin < options.min_margin) {
     return {MatchStatus::kMatched,
             hitsText(result, options) + ", the place of an earlier session map; " + elsewhereText(result)};
   }
@@ -74,6 +82,9 @@ Verdict judge(const MatchResult& result, const MatchOptions& options, bool agree
   }
   if (!result.certified || result.margin < options.min_margin) {
     return notCertified(result, options);
+  }
+  if (standing == Standing::kContradicts && options.confirm_relocation) {
+    return unconfirmed(result, options);
   }
   std::ostringstream reason;
   reason << hitsText(result, options) << (result.replaced ? ", a better place than that of the two stages" : "") << "; "

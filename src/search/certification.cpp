@@ -199,7 +199,7 @@ class Certification {
       result_.reason = kStoppedReason;
       return;
     }
-    const Verdict verdict = judge(result_, options_, best && agreesWithPrior(*best));
+    const Verdict verdict = judge(result_, options_, best ? standingOf(*best) : Standing::kFirst);
     result_.status = verdict.status;
     result_.reason = verdict.reason;
     if (result_.matched()) {
@@ -207,12 +207,19 @@ class Certification {
     }
   }
 
-  bool agreesWithPrior(const SearchPose& pose) const {
+  Standing standingOf(const SearchPose& pose) const {
     if (!prior_.alignment) {
-      return false;
+      return Standing::kFirst;
     }
+    if (agrees(pose, *prior_.alignment)) {
+      return Standing::kAgrees;
+    }
+    return prior_.contender && agrees(pose, *prior_.contender) ? Standing::kConfirms : Standing::kContradicts;
+  }
+
+  bool agrees(const SearchPose& pose, const Rigid2& T_reference_session) const {
     const CentrePose here = centrePose(pose);
-    const CentrePose before = frames_.centrePose(*prior_.alignment, cells_.centre);
+    const CentrePose before = frames_.centrePose(T_reference_session, cells_.centre);
     return (here.position - before.position).norm() <= options_.distinct_distance &&
            std::abs(normalizeAngle(here.angle - before.angle)) <= options_.distinct_angle;
   }

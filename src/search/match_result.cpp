@@ -22,6 +22,8 @@ const char* toString(MatchStatus status) {
       return "not_certified";
     case MatchStatus::kAmbiguous:
       return "ambiguous";
+    case MatchStatus::kUnconfirmed:
+      return "unconfirmed";
   }
   return "unknown";
 }

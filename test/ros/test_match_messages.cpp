@@ -123,6 +123,7 @@ TEST(MatchMessages, NameEachStatusAsTheSearchDoes) {
       {MatchStatus::kStopped, MapMatch::STOPPED},
       {MatchStatus::kNotCertified, MapMatch::NOT_CERTIFIED},
       {MatchStatus::kAmbiguous, MapMatch::AMBIGUOUS},
+      {MatchStatus::kUnconfirmed, MapMatch::UNCONFIRMED},
   };
   for (const auto& [status, constant] : statuses) {
     MatchResult result;

@@ -79,6 +79,16 @@ TEST(Acceptance, RefusesAShareOfHitsBelowTheLargerOfItsTwoLimits) {
   EXPECT_EQ(judge(result, higher).status, MatchStatus::kBelowAcceptanceRatio);
 }
 
+TEST(Acceptance, BelievesAPlaceOtherThanAnEarlierOneOnlyWhenItIsConfirmed) {
+  MatchOptions at_once;
+  at_once.confirm_relocation = false;
+
+  EXPECT_EQ(judge(convincing(), {}, Standing::kAgrees).status, MatchStatus::kMatched);
+  EXPECT_EQ(judge(convincing(), {}, Standing::kConfirms).status, MatchStatus::kMatched);
+  EXPECT_EQ(judge(convincing(), {}, Standing::kContradicts).status, MatchStatus::kUnconfirmed);
+  EXPECT_EQ(judge(convincing(), at_once, Standing::kContradicts).status, MatchStatus::kMatched);
+}
+
 TEST(Acceptance, ProofThatNothingFitsIsNoMatch) {
   MatchResult result;
   result.total_cells = 1000;

@@ -122,6 +122,24 @@ TEST(Certification, FollowsTheAlignmentOfAnEarlierMapWithoutAMargin) {
   EXPECT_EQ(scene.match(strict, agreeing).status, MatchStatus::kAmbiguous);
 }
 
+TEST(Certification, GivesUpAnEarlierPlaceOnlyForOneThatIsFoundTwice) {
+  const Scene scene(1);
+  MatchPrior prior;
+  prior.alignment = Rigid2{5.0, 0.0, 0.0} * scene.match().T_reference_session;
+
+  const MatchResult first = scene.match({}, prior);
+  prior.contender = first.T_reference_session;
+  const MatchResult second = scene.match({}, prior);
+  prior.contender = Rigid2{0.0, 5.0, 0.0} * first.T_reference_session;
+  const MatchResult unlike_the_first = scene.match({}, prior);
+
+  EXPECT_EQ(first.status, MatchStatus::kUnconfirmed);
+  EXPECT_LT(scene.error(first.T_reference_session), 0.15);
+  EXPECT_NE(first.reason.find("accepted at another place"), std::string::npos) << first.reason;
+  EXPECT_TRUE(second.matched()) << second.reason;
+  EXPECT_EQ(unlike_the_first.status, MatchStatus::kUnconfirmed);
+}
+
 TEST(Certification, ReplacesAWrongAnswer) {
   const Scene scene(2);
   const MatchOptions options;

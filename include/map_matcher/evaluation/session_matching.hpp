@@ -9,6 +9,7 @@
 
 #include "map_matcher/evaluation/trial_query.hpp"
 #include "map_matcher/search/map_matcher.hpp"
+#include "map_matcher/tracking/session_memory.hpp"
 
 namespace map_matcher {
 
@@ -19,7 +20,7 @@ class SessionMatching {
   SessionMatching(const OccupancyGrid& reference, const MatchOptions& options);
 
   /// A new session begins: its maps have another frame than those before.
-  void beginSession() { alignment_.reset(); }
+  void beginSession() { memory_.clear(); }
 
   /// The session's next map. `query` says how the map came to be; result, occupied and falsely_occupied are filled in.
   void match(OccupancyGrid map, TrialQuery query);
@@ -38,8 +39,8 @@ class SessionMatching {
   MapMatcher matcher_;
   std::vector<TrialQuery> queries_;
   std::optional<OccupancyGrid> last_map_;
-  std::optional<Rigid2> alignment_;  // of the session's last accepted map
-  OnFirstMatch on_first_match_;      // null when it was called, or nobody asked
+  SessionMemory memory_;
+  OnFirstMatch on_first_match_;  // null when it was called, or nobody asked
 };
 
 }  // namespace map_matcher

@@ -43,9 +43,6 @@ class AlignmentBroadcaster {
   /// Broadcasts this alignment from now on.
   void set(const Alignment& alignment);
 
-  /// What is broadcast, if there is anything.
-  std::optional<Alignment> alignment() const;
-
   /// Broadcasts nothing from now on.
   void clear();
 
@@ -60,7 +57,7 @@ class AlignmentBroadcaster {
 
   const TfMode mode_;
   const ros::Duration transform_tolerance_;
-  mutable std::mutex mutex_;  // guards all below
+  std::mutex mutex_;  // guards all below
   std::optional<Alignment> alignment_;
   FrameParents others_;
   bool contested_ = false;

@@ -10,6 +10,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 
 #include "map_matcher/ros/alignment_broadcaster.hpp"
 #include "map_matcher/ros/map_matcher_server_options.hpp"
@@ -20,13 +21,15 @@
 #include "map_matcher/ros/reference_source.hpp"
 #include "map_matcher/ros/rising_clock.hpp"
 #include "map_matcher/tracking/latest_job_worker.hpp"
+#include "map_matcher/tracking/session_memory.hpp"
 
 namespace map_matcher {
 
 /// Matches every session map to the reference map on a worker thread, the newest first, and publishes what came of it
 /// (names: names.hpp). A match that is accepted is broadcast on tf until a later one replaces it; one that fails is
-/// told on `map_match` and changes nothing else. The alignment is dropped when the reference map is replaced and when
-/// time goes back, which means that a bag loops and the mapper may have started anew.
+/// told on `map_match` and changes nothing else, but that a place other than that of earlier maps has to be found
+/// twice. The alignment is dropped when the reference map is replaced and when time goes back, which means that a bag
+/// loops and the mapper may have started anew.
 class MapMatcherServer {
  public:
   /// Throws std::exception, with the name of the file or the option, when one cannot be used.
@@ -43,6 +46,7 @@ class MapMatcherServer {
   MatchServices::Actions serviceActions();
   std::optional<std::future<MapMatch>> matchSession();
   void submitMatch(const Answer& answer);
+  MatchPrior priorFor(const nav_msgs::OccupancyGrid& session);
   void conclude(const nav_msgs::OccupancyGridConstPtr& session, SessionMatch& match, const StopToken& stop);
   void remember(const nav_msgs::OccupancyGridConstPtr& session, const MapMatch& report);
   void tell(const MapMatch& report);
@@ -54,6 +58,8 @@ class MapMatcherServer {
   nav_msgs::OccupancyGridConstPtr session_;  // the newest that was not found invalid
   nav_msgs::OccupancyGridConstPtr last_valid_session_;
   ReferenceMapPtr reference_;
+  SessionMemory memory_;  // of the maps in memory_frame_
+  std::string memory_frame_;
   bool alignment_dropped_ = false;  // and no valid session map was matched since
   std::atomic<std::uint32_t> dropped_session_maps_{0};
   std::uint8_t last_status_ = MapMatch::STOPPED;  // the worker's

@@ -16,6 +16,7 @@ namespace map_matcher {
 /// What came of a session map.
 struct SessionMatch {
   MapMatch report;          ///< Without the stamp of its header and its counts.
+  MatchResult result;       ///< What the report is made from; not that of a search when the map is invalid.
   double resolution = 0.0;  ///< Edge length of the session map's cells [m]; 0 when the map is invalid.
   MatchedCells cells;       ///< Of the session map, at the pose of the report; empty unless matched.
 };

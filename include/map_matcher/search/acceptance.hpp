@@ -15,10 +15,19 @@ struct Verdict {
   std::string reason;  ///< One sentence with the figures, and both candidates where they are at odds.
 };
 
-/// kMatched when the result is certified, its hit ratio reaches smallestHitRatio() and its margin min_margin; else
-/// the first of these that fails. `agrees`: whether the place is that of MatchPrior::alignment, which replaces the
-/// margin with options.follow_alignment. `result` has an answer of an exact search in it. A wrong pose that looks right
-/// is worse than none: what is not proven is not accepted.
-Verdict judge(const MatchResult& result, const MatchOptions& options, bool agrees = false);
+/// How a place stands to what earlier maps of the session said.
+enum class Standing {
+  kFirst,        ///< None of them was accepted.
+  kAgrees,       ///< The place is MatchPrior::alignment.
+  kConfirms,     ///< It is another one, but MatchPrior::contender.
+  kContradicts,  ///< It is neither.
+};
+
+/// kMatched when the result is certified, its hit ratio reaches smallestHitRatio() and its margin min_margin, and it
+/// contradicts no earlier map; else the first of these that fails. A place that agrees needs no margin with
+/// options.follow_alignment, and one that contradicts is kUnconfirmed with options.confirm_relocation. `result` has an
+/// answer of an exact search in it. A wrong pose that looks right is worse than none: what is not proven is not
+/// accepted.
+Verdict judge(const MatchResult& result, const MatchOptions& options, Standing standing = Standing::kFirst);
 
 }  // namespace map_matcher

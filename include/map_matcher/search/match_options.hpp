@@ -30,6 +30,7 @@ struct MatchOptions {
   double distinct_distance = 1.0;  ///< [m] Exact: places farther apart are different ones,
   double distinct_angle = 0.2;     ///< [rad] as are headings farther apart.
   bool follow_alignment = true;    ///< Exact: whether the margin may be missed where MatchPrior::alignment is met.
+  bool confirm_relocation = true;  ///< Exact: whether it takes two maps to give up MatchPrior::alignment.
   int threads = 2;                 ///< Exact: threads that search; 0 = as many as the processor has.
   int hits_sample_threshold = 0;   ///< [cells] Session cells looked at in each stage, chosen reproducibly; 0 = all.
   int min_session_cells = 100;     ///< [cells] Session maps with fewer occupied cells are not matched.

@@ -29,6 +29,9 @@ struct MatchPrior {
   /// T_reference_session with which an earlier map of the same session was accepted. It narrows nothing, but a best
   /// place that agrees with it needs no margin, with MatchOptions::follow_alignment.
   std::optional<Rigid2> alignment;
+  /// T_reference_session of the session map before, which was at odds with `alignment` (MatchStatus::kUnconfirmed): a
+  /// best place that agrees with it is believed, with MatchOptions::confirm_relocation.
+  std::optional<Rigid2> contender;
 };
 
 }  // namespace map_matcher

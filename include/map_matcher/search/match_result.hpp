@@ -23,6 +23,7 @@ enum class MatchStatus {
   kStopped,               ///< The stop token was set before there was an answer.
   kNotCertified,          ///< The deadline came before the proof that no pose is better, or none elsewhere as good.
   kAmbiguous,             ///< A place elsewhere matches nearly as well.
+  kUnconfirmed,           ///< The place is good enough, but another than that of an earlier map of the session.
 };
 
 /// The status in snake_case, as JSON output and messages have it ("matched", "below_acceptance_ratio", ...).
@@ -54,9 +55,10 @@ struct RunnerUp {
 /// The answer of MapMatcher::match.
 struct MatchResult {
   MatchStatus status = MatchStatus::kNoReference;
-  std::string reason;              ///< One sentence with the figures behind the status.
-  Rigid2 T_reference_session;      ///< p_reference = T_reference_session * p_session; valid when kMatched. When
-                                   ///< kNotCertified or kAmbiguous: the best pose so far, not to be relied on.
+  std::string reason;  ///< One sentence with the figures behind the status.
+  Rigid2
+      T_reference_session;  ///< p_reference = T_reference_session * p_session; valid when kMatched. When
+                            ///< kNotCertified, kAmbiguous or kUnconfirmed: the best pose so far, not to be relied on.
   std::optional<Rigid2> searched;  ///< The same in whole cells and rotation steps, before it was moved by less than a
                                    ///< cell to where it fits best; nothing unless that was done.
   /// Of (x, y, yaw) of T_reference_session [m, m, rad], when kMatched: from the curvature around the refined pose, or

@@ -1,0 +1,61 @@
+#include <gtest/gtest.h>
+
+#include "map_matcher/tracking/session_memory.hpp"
+
+namespace map_matcher {
+namespace {
+
+MatchResult answer(MatchStatus status, double x) {
+  MatchResult result;
+  result.status = status;
+  result.T_reference_session = {x, 0.0, 0.0};
+  return result;
+}
+
+TEST(SessionMemory, KnowsNothingAtFirst) {
+  const SessionMemory memory;
+  EXPECT_FALSE(memory.prior().alignment.has_value());
+  EXPECT_FALSE(memory.prior().contender.has_value());
+}
+
+TEST(SessionMemory, KeepsTheLastAcceptedAlignment) {
+  SessionMemory memory;
+  memory.add(answer(MatchStatus::kMatched, 1.0));
+  memory.add(answer(MatchStatus::kMatched, 2.0));
+  memory.add(answer(MatchStatus::kAmbiguous, 9.0));
+
+  EXPECT_EQ(memory.prior().alignment->x, 2.0);
+  EXPECT_FALSE(memory.prior().contender.has_value());
+}
+
+TEST(SessionMemory, KeepsAContenderUntilTheNextAnswerOfASearch) {
+  for (const MatchStatus status : {MatchStatus::kMatched, MatchStatus::kBelowAcceptanceRatio,
+                                   MatchStatus::kNotCertified, MatchStatus::kAmbiguous}) {
+    SessionMemory memory;
+    memory.add(answer(MatchStatus::kMatched, 1.0));
+    memory.add(answer(MatchStatus::kUnconfirmed, 7.0));
+    memory.add(answer(MatchStatus::kTooFewSessionCells, 0.0));
+    memory.add(answer(MatchStatus::kStopped, 0.0));
+
+    ASSERT_TRUE(memory.prior().contender.has_value());
+    EXPECT_EQ(memory.prior().contender->x, 7.0);
+    EXPECT_EQ(memory.prior().alignment->x, 1.0);
+
+    memory.add(answer(status, 3.0));
+    EXPECT_FALSE(memory.prior().contender.has_value()) << toString(status);
+  }
+}
+
+TEST(SessionMemory, ForgetsAll) {
+  SessionMemory memory;
+  memory.add(answer(MatchStatus::kMatched, 1.0));
+  memory.add(answer(MatchStatus::kUnconfirmed, 7.0));
+
+  memory.clear();
+
+  EXPECT_FALSE(memory.prior().alignment.has_value());
+  EXPECT_FALSE(memory.prior().contender.has_value());
+}
+
+}  // namespace
+}  // namespace map_matcher
