@@ -7,6 +7,7 @@
 
 #include "map_matcher/ros/bag_reading.hpp"
 #include "map_matcher/ros/bag_scan_queue.hpp"
+#include "map_matcher/ros/bag_transforms.hpp"
 
 namespace map_matcher {
 namespace {
@@ -32,12 +33,12 @@ class BagMapping {
   }
 
   BagMappingResult run() {
-    takeStaticTransforms(bag_, tf_);
+    tf_.takeStatic(bag_);
     const ros::Time first = result_.begin + ros::Duration(std::max(0.0, request_.from - BagScanQueue::kPatience));
     rosbag::View view(bag_, rosbag::TopicQuery({std::string("/tf"), result_.scan_topic}), first, last());
     for (const rosbag::MessageInstance& message : view) {
       if (const auto transforms = message.instantiate<tf2_msgs::TFMessage>()) {
-        takeTransforms(*transforms, false, tf_);
+        tf_.take(*transforms);
       } else if (const auto scan = message.instantiate<sensor_msgs::LaserScan>()) {
         enqueue(scan, message.getTime());
       }
@@ -76,7 +77,7 @@ class BagMapping {
   }
 
   void add(const sensor_msgs::LaserScan& scan) {
-    const MappingUpdate update = mapping_.addScan(scan, tf_);
+    const MappingUpdate update = mapping_.addScan(scan, tf_.buffer());
     result_.path.push_back({scan.header.stamp.toSec(), mapping_.mapper().T_session_base()});
     result_.scans_drawn += update.report.outcome == ScanOutcome::kDrawn ? 1 : 0;
     result_.scans_not_fitting += update.report.outcome == ScanOutcome::kNotFitting ? 1 : 0;
@@ -103,7 +104,7 @@ class BagMapping {
   const BagMappingRequest& request_;
   const std::function<void(const SessionSnapshot&)>& on_map_;
   SessionMapping mapping_;
-  tf2::BufferCore tf_;
+  BagTransforms tf_;
   rosbag::Bag bag_;
   BagScanQueue queue_;
   BagMappingResult result_;

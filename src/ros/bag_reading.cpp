@@ -114,21 +114,4 @@ void openBag(rosbag::Bag& bag, const std::string& path) {
   }
 }
 
-void takeTransforms(const tf2_msgs::TFMessage& message, bool is_static, tf2::BufferCore& tf) {
-  for (geometry_msgs::TransformStamped transform : message.transforms) {
-    transform.header.frame_id = frameName(transform.header.frame_id);
-    transform.child_frame_id = frameName(transform.child_frame_id);
-    tf.setTransform(transform, "bag", is_static);
-  }
-}
-
-void takeStaticTransforms(const rosbag::Bag& bag, tf2::BufferCore& tf) {
-  rosbag::View view(bag, rosbag::TopicQuery(std::string("/tf_static")));
-  for (const rosbag::MessageInstance& message : view) {
-    if (const auto transforms = message.instantiate<tf2_msgs::TFMessage>()) {
-      takeTransforms(*transforms, true, tf);
-    }
-  }
-}
-
 }  // namespace map_matcher

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "map_matcher/ros/bag_transforms.hpp"
 #include "map_matcher/ros/conversions.hpp"
 #include "map_matcher/ros/detection_messages.hpp"
 #include "map_matcher/ros/waiting_scans.hpp"
@@ -32,7 +33,7 @@ class BagScrubbing {
   explicit BagScrubbing(const BagScrubbingRequest& request)
       : request_(request),
         tf_(kTfHistory),
-        removal_(tf_, request.options.fixed_frame, request.options.scrubbing),
+        removal_(tf_.buffer(), request.options.fixed_frame, request.options.scrubbing),
         waiting_(ros::WallDuration(request.options.sync_timeout)) {
     openBag(bag_, request.bag);
     const BagTopics topics = topicsOf(bag_);
@@ -47,7 +48,7 @@ class BagScrubbing {
   }
 
   BagScrubbingResult run() {
-    takeStaticTransforms(bag_, tf_);
+    tf_.takeStatic(bag_);
     rosbag::View view(bag_);
     for (const rosbag::MessageInstance& message : view) {
       copy(message);
@@ -108,7 +109,7 @@ class BagScrubbing {
 
   void onTransforms(const rosbag::MessageInstance& message) {
     if (const auto transforms = message.instantiate<tf2_msgs::TFMessage>()) {
-      takeTransforms(*transforms, false, tf_);
+      tf_.take(*transforms);
     }
   }
 
@@ -193,7 +194,7 @@ class BagScrubbing {
   bool writes_ = false;
   std::vector<std::string> detection_topics_;
   std::map<Stamp, DetectionSet> people_;
-  tf2::BufferCore tf_;
+  BagTransforms tf_;
   PeopleRemoval removal_;
   WaitingScans waiting_;
   BagScrubbingResult result_;

@@ -7,8 +7,11 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
+#include <string>
 #include <utility>
 
+#include "map_matcher/ros/bag_transforms.hpp"
 #include "map_matcher/ros/bag_truth.hpp"
 #include "map_matcher/ros/conversions.hpp"
 #include "map_matcher/ros/scan_conversions.hpp"
@@ -67,11 +70,14 @@ class BagSessionMaps {
   /// All of them at once: those that belong to a map may be recorded after it.
   void readTransforms() {
     tf_.emplace(lengthOf(bag_) + ros::Duration(10.0));
-    takeStaticTransforms(bag_, *tf_);
+    tf_->takeStatic(bag_);
     rosbag::View view(bag_, rosbag::TopicQuery(std::string("/tf")));
     for (const rosbag::MessageInstance& message : view) {
       if (const auto transforms = message.instantiate<tf2_msgs::TFMessage>()) {
-        takeTransforms(*transforms, false, *tf_);
+        tf_->take(*transforms);
+        for (const geometry_msgs::TransformStamped& transform : transforms->transforms) {
+          stamps_.insert(transform.header.stamp);
+        }
       }
     }
   }
@@ -82,8 +88,9 @@ class BagSessionMaps {
   }
 
   Rigid2 poseOfBase(const std::string& frame, const ros::Time& stamp) const {
-    return projectToPlane(tf_->lookupTransform(frameName(frame), frameName(request_.base_frame), stamp).transform,
-                          "the pose of " + request_.base_frame + " in " + frame);
+    return projectToPlane(
+        tf_->buffer().lookupTransform(frameName(frame), frameName(request_.base_frame), stamp).transform,
+        "the pose of " + request_.base_frame + " in " + frame);
   }
 
   void match(const nav_msgs::OccupancyGrid& message) {
@@ -91,16 +98,27 @@ class BagSessionMaps {
     OccupancyGrid map = fromMessage(message);
     TrialQuery query;
     query.T_session_base = poseOfBase(frameOf(message.header), stamp);
+    if (!first_) {
+      true_alignment_ = alignmentAtTheBegin(frameOf(message.header));
+    }
     driveTo(stamp);
     query.time = stamp.toSec();
     query.session_age = (stamp - *first_).toSec();
     query.travelled = travelled_;
     query.truth = truth_ ? truth_->at(query.time) : std::nullopt;
-    if (!true_alignment_ && query.truth) {
-      true_alignment_ = *query.truth * query.T_session_base.inverse();
-    }
     query.true_alignment = true_alignment_;
     matching_.match(std::move(map), std::move(query));
+  }
+
+  /// T_reference_session where tf first knows the robot in the session frame, before the mapper has drifted.
+  std::optional<Rigid2> alignmentAtTheBegin(const std::string& session_frame) const {
+    for (const ros::Time& stamp : stamps_) {
+      const std::optional<Rigid2> truth = truth_ ? truth_->at(stamp.toSec()) : std::nullopt;
+      if (truth && tf_->buffer().canTransform(session_frame, frameName(request_.base_frame), stamp)) {
+        return *truth * poseOfBase(session_frame, stamp).inverse();
+      }
+    }
+    return std::nullopt;
   }
 
   /// Follows the odometry from where it was at the map before.
@@ -123,12 +141,13 @@ class BagSessionMaps {
   rosbag::Bag bag_;
   std::string map_topic_;
   std::optional<BagTruth> truth_;
-  std::optional<tf2::BufferCore> tf_;
+  std::optional<BagTransforms> tf_;
   std::optional<ros::Time> first_;  // stamp of the first map
   ros::Time driven_until_;
   Rigid2 last_odometry_;
   double travelled_ = 0.0;
-  std::optional<Rigid2> true_alignment_;
+  std::set<ros::Time> stamps_;            // of all transforms
+  std::optional<Rigid2> true_alignment_;  // of the session, where it is known
   BagSessionMapsResult result_;
 };
 

@@ -9,6 +9,7 @@
 
 #include "map_matcher/evaluation/simulated_trial.hpp"
 #include "map_matcher/ros/bag_scan_queue.hpp"
+#include "map_matcher/ros/bag_transforms.hpp"
 #include "map_matcher/ros/bag_truth.hpp"
 #include "map_matcher/ros/conversions.hpp"
 #include "map_matcher/ros/scan_conversions.hpp"
@@ -41,7 +42,7 @@ class BagTrial {
   }
 
   BagTrialResult run() {
-    takeStaticTransforms(bag_, tf_);
+    tf_.takeStatic(bag_);
     rosbag::View view(bag_);
     for (const rosbag::MessageInstance& message : view) {
       take(message);
@@ -64,7 +65,7 @@ class BagTrial {
     const std::string& topic = message.getTopic();
     if (topic == "/tf") {
       if (const auto transforms = message.instantiate<tf2_msgs::TFMessage>()) {
-        takeTransforms(*transforms, false, tf_);
+        tf_.take(*transforms);
       }
     } else if (topic == scan_topic_) {
       ++result_.scans;
@@ -86,8 +87,9 @@ class BagTrial {
 
   void play(const sensor_msgs::LaserScan& message) {
     const ros::Time stamp = message.header.stamp;
-    const auto odometry = tf_.lookupTransform(frameName(request_.odom_frame), frameName(request_.base_frame), stamp);
-    const auto mount = tf_.lookupTransform(frameName(request_.base_frame), frameOf(message.header), stamp);
+    const auto odometry =
+        tf_.buffer().lookupTransform(frameName(request_.odom_frame), frameName(request_.base_frame), stamp);
+    const auto mount = tf_.buffer().lookupTransform(frameName(request_.base_frame), frameOf(message.header), stamp);
     TrialStep step;
     step.time = stamp.toSec();
     step.T_odom_base = projectToPlane(odometry.transform, "the odometry");
@@ -128,7 +130,7 @@ class BagTrial {
   std::string scan_topic_;
   std::vector<std::string> detection_topics_;
   std::optional<BagTruth> truth_;
-  tf2::BufferCore tf_;
+  BagTransforms tf_;
   BagScanQueue queue_;
   BagTrialResult result_;
 };

@@ -4,8 +4,6 @@
 
 #include <rosbag/bag.h>
 #include <rosbag/message_instance.h>
-#include <tf2/buffer_core.h>
-#include <tf2_msgs/TFMessage.h>
 
 #include <map>
 #include <stdexcept>
@@ -51,11 +49,5 @@ DetectionSet readDetections(const rosbag::MessageInstance& message);
 
 /// Throws BagError, naming the bag and what it has, unless there is /tf with the transforms from `odom_frame` on.
 void requireTransforms(const std::string& bag, const BagTopics& topics, const std::string& odom_frame);
-
-/// Hands all transforms of a message to the buffer.
-void takeTransforms(const tf2_msgs::TFMessage& message, bool is_static, tf2::BufferCore& tf);
-
-/// Hands all of /tf_static to the buffer.
-void takeStaticTransforms(const rosbag::Bag& bag, tf2::BufferCore& tf);
 
 }  // namespace map_matcher

@@ -28,8 +28,9 @@ struct BagSessionMapsResult {
 
 /// Matches the maps of a topic in the order in which they were recorded, all as maps of one session, with the robot's
 /// pose in them from tf and the truth interpolated at their stamps. The way driven is that of the odometry since the
-/// first map. Throws BagError for a bag that cannot be read, lacks a topic or has it with another type, whose true
-/// poses are in a wrong frame, or of which no map could be used.
+/// first map; the true alignment is that of the first pose of the robot in the session frame. Throws BagError for a bag
+/// that cannot be read, lacks a topic or has it with another type, whose true poses are in a wrong frame, or of which
+/// no map could be used.
 BagSessionMapsResult matchSessionMaps(const BagSessionMapsRequest& request, SessionMatching& matching);
 
 }  // namespace map_matcher
