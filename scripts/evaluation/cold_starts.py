@@ -11,21 +11,32 @@ VARIANTS = ("original", "scrubbed")
 COLOURS = {"correct": "tab:green", "wrong": "tab:red", "none": "0.6"}
 
 
-def plan(runs, arguments):
+def map_file(arguments):
+    """The map that is driven in; None: the generated office."""
     office = arguments.data / "maps/asl_office.yaml"
-    world = ["--map", office] if office.exists() else []
-    config = runs.write_config("cold_starts_mapper", delta=0.05, map_update_interval=1.0)
-    drives = {}
+    return office if office.exists() else None
+
+
+def simulations(arguments):
+    """Density, seed and arguments of each simulated drive."""
+    world = ["--map", map_file(arguments)] if map_file(arguments) else []
     for density in (0, 1) if arguments.quick else (0, 0.3, 0.6, 1, 2, 3):
         duration = 60 if arguments.quick else 300 if density <= DENSE else 150
+        for seed in (1,) if arguments.quick or density >= 1 else (1, 2):
+            yield density, seed, [*world, "--duration", duration - 0.1, "--seed", seed, "--density", density,
+                                  "--standing-share", 0.5]
+
+
+def plan(runs, arguments):
+    config = runs.write_config("cold_starts_mapper", delta=0.05, map_update_interval=1.0)
+    drives = {}
+    for density, seed, simulation in simulations(arguments):
         for variant in VARIANTS:
-            drives[density, variant] = [
+            drives.setdefault((density, variant), []).append(
                 runs.drive("cold_starts_%g_%s_%d" % (density, variant, seed), [
-                    *world, "--duration", duration - 0.1, "--seed", seed, "--density", density,
-                    "--standing-share", 0.5, "--mapper-config", config, "--restart-interval", INTERVAL,
-                    *(["--scrub"] if variant == "scrubbed" else [])], monte_carlo=True)
-                for seed in ((1,) if arguments.quick or density >= 1 else (1, 2))]
-    return drives, office if world else None
+                    *simulation, "--mapper-config", config, "--restart-interval", INTERVAL,
+                    *(["--scrub"] if variant == "scrubbed" else [])], monte_carlo=True))
+    return drives, map_file(arguments)
 
 
 def starts_of(run):
@@ -44,7 +55,7 @@ def starts_of(run):
 
 
 def report(planned, page):
-    drives, map_file = planned
+    drives, walls = planned
     all_runs = [run for runs in drives.values() for run in runs]
     write_table(page / "cold_starts.csv", all_runs, COLUMNS)
     densities = sorted({density for density, _ in drives})
@@ -59,7 +70,7 @@ def report(planned, page):
             cells += [len(outcomes), correct, outcomes.count("wrong"), outcomes.count("none")]
         rows.append(cells)
     shares = {variant: 100.0 * correct / max(1, count) for variant, (correct, count) in totals.items()}
-    plot(drives, densities, map_file, page / "cold_starts.png")
+    plot(drives, densities, walls, page / "cold_starts.png")
     header = ["people/m^2", *["%s: %s" % (v, what) for v in VARIANTS for what in ("starts", "correct", "wrong", "none")]]
     return section(
         "Cold starts in a crowd",
@@ -72,14 +83,14 @@ def report(planned, page):
         arguments_of(all_runs))
 
 
-def plot(drives, densities, map_file, path):
+def plot(drives, densities, walls, path):
     """Each start where the robot was, on the map where it is a file."""
     figure, axes = plt.subplots(len(densities), 2, figsize=(11, 2.7 * len(densities)), squeeze=False, sharex=True,
                                 sharey=True)
     for line, density in zip(axes, densities):
         for axis, variant in zip(line, VARIANTS):
-            if map_file:
-                draw_map(axis, map_file)
+            if walls:
+                draw_map(axis, walls)
             for run in drives[density, variant]:
                 for outcome, row in starts_of(run):
                     axis.plot(row["truth_x"], row["truth_y"], "o", color=COLOURS[outcome], markersize=4)

@@ -59,9 +59,9 @@ def plan_replays(runs, arguments, world, drives):
         for variant, is_scrubbed in GMAPPING.items():
             replay = name + "_gmapping" + ("_scrubbed" if is_scrubbed else "")
             scrubbing = ["scrub:=true", "detections:=[dr_spaam_detections/front]"] if is_scrubbed else []
-            maps = runs.replay(replay + "_replay", bag, arguments.rate, [
+            maps = runs.replay(replay + "_replay", "replay.launch", bag, arguments.rate, [
                 "map:=%s" % map_file, "mapper:=gmapping", "mapper_config:=%s" % config, "truth:=ground_truth",
-                "scan:=sick_laser_front/scan", *scrubbing], phase=2).outputs[-1]
+                "scan:=sick_laser_front/scan", *scrubbing], ["session_maps.bag"], phase=2).outputs[0]
             trials[variant].append(runs.drive(replay, [
                 "--bag", maps, "--session-maps", "map", "--truth", "ground_truth", "--reference", map_file,
                 "--first-overlay", runs.path(replay + "_first.png"), "--last-overlay",

@@ -1,4 +1,5 @@
 """The report's comparison with Monte-Carlo localization without a prior, on the drives of the cold starts."""
+import amcl
 import cold_starts
 import matplotlib.pyplot as plt
 from cold_starts import COLOURS, INTERVAL, PATIENCE, RIGHT, VARIANTS
@@ -14,12 +15,13 @@ COLUMNS = ["session", "time", "session_age", "travelled", "estimate_x", "estimat
 
 
 def plan(runs, arguments):
-    return cold_starts.plan(runs, arguments)
+    drives, _ = cold_starts.plan(runs, arguments)
+    return drives, amcl.plan(runs, arguments) if arguments.amcl else {}
 
 
-def sessions_of(run):
+def sessions_of(rows):
     sessions = {}
-    for row in run.side_rows():
+    for row in rows:
         sessions.setdefault(row["session"], []).append(row)
     return list(sessions.values())
 
@@ -28,10 +30,10 @@ def converged(row):
     return row["position_deviation"] < SPREAD and row["yaw_deviation"] < TURN
 
 
-def starts_of(run):
+def starts_of(rows_of_run):
     """Of each start: its outcome, as for the maps, the row it comes from, and the rows after that."""
     starts = []
-    for rows in sessions_of(run):
+    for rows in sessions_of(rows_of_run):
         first = next((k for k, row in enumerate(rows) if converged(row) and row["session_age"] <= PATIENCE), None)
         if first is None or rows[first]["translation_error"] is None:
             starts.append(("none", rows[0], []))
@@ -41,19 +43,28 @@ def starts_of(run):
     return starts
 
 
-def figures_of_filter(runs):
-    """Starts, correct, wrong, none, time to converge, error after it, processor time."""
-    starts = [start for run in runs for start in starts_of(run)]
+def figures_of_estimates(tables):
+    """Starts, correct, wrong, none, time to converge, error after it."""
+    starts = [start for rows in tables for start in starts_of(rows)]
     outcomes = [outcome for outcome, _, _ in starts]
     correct = [(row, later) for outcome, row, later in starts if outcome == "correct"]
-    # The processor time of each update, and of all updates for a second of driving.
-    rows = [row for run in runs for row in run.side_rows() if row["updates"]]
-    driven = sum(rows[-1]["session_age"] for run in runs for rows in sessions_of(run))
     return [len(starts), *[outcomes.count(outcome) for outcome in COLOURS],
             Statistics([row["session_age"] for row, _ in correct]).mean,
-            Statistics([row["translation_error"] for _, later in correct for row in later]).mean,
+            Statistics([row["translation_error"] for _, later in correct for row in later]).mean]
+
+
+def figures_of_filter(runs):
+    """The same and the processor time: of each update, and of all updates for a second of driving."""
+    rows = [row for run in runs for row in run.side_rows() if row["updates"]]
+    driven = sum(rows[-1]["session_age"] for run in runs for rows in sessions_of(run.side_rows()))
+    return [*figures_of_estimates([run.side_rows() for run in runs]),
             1e3 * Statistics([row["update_time"] for row in rows]).mean,
             1e3 * sum(row["update_time"] * row["updates"] for row in rows) / max(1e-9, driven)]
+
+
+def figures_of_amcl(runs):
+    """The same; amcl does not tell its processor time."""
+    return [*figures_of_estimates([run.rows() for run in runs]), None, None]
 
 
 def figures_of_maps(runs):
@@ -77,17 +88,30 @@ def figures_of_maps(runs):
             1e3 * sum(row["search_time"] for row in rows) / max(1e-9, sum(ages.values()))]
 
 
+def methods_of(replays):
+    """Name, colour, runs by density and scans, and figures of each method."""
+    methods = [("Monte-Carlo", "tab:orange", figures_of_filter)]
+    if replays:
+        methods.append(("amcl", "tab:red", figures_of_amcl))
+    return [*methods, ("session maps", "tab:blue", figures_of_maps)]
+
+
+def figures_by_density(drives, replays):
+    """Figures of each density, kind of scans and method, in this order."""
+    return {(density, variant, name): figures((replays if name == "amcl" else drives)[density, variant])
+            for density in sorted({density for density, _ in drives}) for variant in VARIANTS
+            for name, _, figures in methods_of(replays)}
+
+
 def report(planned, page):
-    drives, _ = planned
+    drives, replays = planned
     all_runs = [run for runs in drives.values() for run in runs]
+    all_replays = [run for runs in replays.values() for run in runs]
     write_table(page / "monte_carlo.csv", all_runs, COLUMNS, lambda run: run.side_rows())
-    densities = sorted({density for density, _ in drives})
-    rows = []
-    for density in densities:
-        for variant in VARIANTS:
-            for name, figures in (("Monte-Carlo", figures_of_filter), ("session maps", figures_of_maps)):
-                rows.append([density, variant, name, *figures(drives[density, variant])])
-    plot(drives, densities, page / "monte_carlo.png")
+    if replays:
+        write_table(page / "amcl.csv", all_replays, [c for c in COLUMNS if c not in amcl.UNKNOWN])
+    figures = figures_by_density(drives, replays)
+    plot(figures, replays, page / "monte_carlo.png")
     header = ["people/m^2", "scans", "method", "starts", *COLOURS, "time to converge [s]", "error [m]", "update [ms]",
               "a second of driving [ms]"]
     return section(
@@ -101,37 +125,34 @@ def report(planned, page):
         "%g rad; what it says the first time within %g s is correct (less than %g m off) or wrong. The session maps "
         "are judged by their first match, as above. The error is that of all later estimates and matches of correct "
         "starts; update is the processor time of one update of the particles, or the search time of one session map "
-        "without the time to draw it. amcl itself is left out: Debian has no package of it. "
-        "[monte_carlo.csv](monte_carlo.csv)" % (INTERVAL, SPREAD, TURN, PATIENCE, RIGHT),
-        table(header, rows),
+        "without the time to draw it. %s [monte_carlo.csv](monte_carlo.csv)" % (
+            INTERVAL, SPREAD, TURN, PATIENCE, RIGHT, amcl.SENTENCE if replays else amcl.LEFT_OUT),
+        table(header, [[*key, *values] for key, values in figures.items()]),
         picture("monte_carlo.png", "Share of starts that are correct, wrong and undecided, and the time to the first "
                                    "correct answer."),
-        arguments_of(all_runs))
+        arguments_of([*all_runs, *all_replays]))
 
 
-def plot(drives, densities, path):
-    """Above the shares of the outcomes, below the times: for each density four bars."""
-    bars = [(variant, name, figures) for variant in VARIANTS
-            for name, figures in (("Monte-Carlo", figures_of_filter), ("session maps", figures_of_maps))]
+def plot(figures, replays, path):
+    """Above the shares of the outcomes, below the times: for each density a bar of each method and kind of scans."""
+    colours = {name: colour for name, colour, _ in methods_of(replays)}
     figure, axes = plt.subplots(2, 1, figsize=(11, 7), sharex=True)
-    places, labels = [], []
-    for k, density in enumerate(densities):
-        for j, (variant, name, figures_of) in enumerate(bars):
-            figures = figures_of(drives[density, variant])
-            place, bottom = k * (len(bars) + 1) + j, 0.0
-            for outcome, count in zip(COLOURS, figures[1:4]):
-                share = count / max(1, figures[0])
-                axes[0].bar(place, share, bottom=bottom, color=COLOURS[outcome],
-                            label=outcome if place == 0 else None)
-                bottom += share
-            axes[1].bar(place, figures[4], color="tab:orange" if name == "Monte-Carlo" else "tab:blue",
-                        label=name if variant == VARIANTS[0] and k == 0 else None)
-            places.append(place)
-            labels.append("%s, %s, %g" % ("filter" if name == "Monte-Carlo" else "maps", variant, density))
+    places, last, labelled = [], None, set()
+    for (density, variant, name), values in figures.items():
+        place = 0 if not places else places[-1] + (1 if density == last else 2)
+        bottom, last = 0.0, density
+        for outcome, count in zip(COLOURS, values[1:4]):
+            share = count / max(1, values[0])
+            axes[0].bar(place, share, bottom=bottom, color=COLOURS[outcome], label=None if places else outcome)
+            bottom += share
+        axes[1].bar(place, values[4], color=colours[name], label=None if name in labelled else name)
+        labelled.add(name)
+        places.append(place)
     axes[0].set_ylabel("share of the starts")
     axes[1].set_ylabel("time to a correct answer [s]")
     axes[1].set_xticks(places)
-    axes[1].set_xticklabels(labels, fontsize=8, rotation=90)
+    axes[1].set_xticklabels(["%s, %s, %g" % (name, variant, density) for density, variant, name in figures],
+                            fontsize=7, rotation=90)
     axes[1].set_xlabel("method, scans, people/m^2")
     for axis in axes:
         axis.legend(fontsize=8, loc="upper left")

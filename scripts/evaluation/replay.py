@@ -18,14 +18,15 @@ class Replay:
         asked = self._arguments
         arguments = ["map:=%s" % asked.map.resolve(), "mapper:=" + asked.mapper, "truth:=" + asked.truth]
         arguments += ["scan:=" + asked.scan] if asked.scan else []
-        return runs.replay("replay_" + asked.mapper, asked.bag.resolve(), asked.rate, arguments)
+        return runs.replay("replay_" + asked.mapper, "replay.launch", asked.bag.resolve(), asked.rate, arguments,
+                           ["run.csv", "summary.json"])
 
     def report(self, run, page):
         rows = run.rows()
         if not rows:
             raise BadInput(run.problem or "bag '%s' gave no true pose on %s" % (self._arguments.bag,
                                                                                self._arguments.truth))
-        table_file, summary_file, _ = run.outputs
+        table_file, summary_file = run.outputs
         summary = json.loads(summary_file.read_text(encoding="utf-8"))
         shutil.copy(table_file, page / "replay.csv")
         figures = [["true poses", summary["samples"]], ["with a pose on tf", summary["estimates"]],

@@ -108,13 +108,13 @@ class Runs:
             options += ["--monte-carlo", outputs[1]]
         return self.add(name, "evaluate_drive", [*options, *arguments], outputs, phase)
 
-    def replay(self, name, bag, rate, arguments, phase=0):
-        """A run of scripts/replay_bag with more arguments of replay.launch; its outputs are run.csv, summary.json and
-        session_maps.bag."""
+    def replay(self, name, launch_file, bag, rate, arguments, outputs, phase=0):
+        """A run of scripts/replay_bag with more arguments of the launch file, which leaves the outputs in a directory
+        of the run's name."""
         directory = self.path(name)
         setup = self.tools.parent.parent / "setup.bash"
-        return self.add(name, SCRIPTS / "replay_bag", [setup, bag, directory, rate, *arguments],
-                        [directory / output for output in ("run.csv", "summary.json", "session_maps.bag")], phase)
+        return self.add(name, SCRIPTS / "replay_bag", [setup, launch_file, bag, directory, rate, *arguments],
+                        [directory / output for output in outputs], phase)
 
     def write_config(self, name, **parameters):
         path = self.path(name + ".yaml")
