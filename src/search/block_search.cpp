@@ -57,7 +57,7 @@ bool BlockSearch::searchBelow(const RotationBlock& block, Quarry& quarry) {
     if (root.bound < quarry.threshold()) {
       break;
     }
-    if (!searchBelow(ExactNode{root.bound, block.first_rotation, root.first, root_level_}, quarry)) {
+    if (!searchBelow(SearchNode{root.bound, block.first_rotation, root.first, root_level_}, quarry)) {
       unsearched_bound_ = root.bound;
       return false;
     }
@@ -70,21 +70,19 @@ SearchWindow BlockSearch::windowOf(int first_rotation, const BlockShape& shape) 
   if (problem_.windows.empty()) {
     return everywhere();
   }
-  SearchWindow hull{everywhere().last, everywhere().first};
+  SearchWindow window{everywhere().last, everywhere().first};
   const int end = std::min(problem_.rotations.count(), first_rotation + shape.stride());
   for (int n = first_rotation; n < end; ++n) {
-    const SearchWindow& window = problem_.windows[static_cast<std::size_t>(n)];
-    hull.first = {std::min(hull.first.x, window.first.x), std::min(hull.first.y, window.first.y)};
-    hull.last = {std::max(hull.last.x, window.last.x), std::max(hull.last.y, window.last.y)};
+    window = hull(window, problem_.windows[static_cast<std::size_t>(n)]);
   }
-  return hull;
+  return window;
 }
 
 /// Depth first, the best child first. False when the deadline passed.
-bool BlockSearch::searchBelow(const ExactNode& root, Quarry& quarry) {
+bool BlockSearch::searchBelow(const SearchNode& root, Quarry& quarry) {
   nodes_.assign(1, root);
   while (!nodes_.empty()) {
-    const ExactNode node = nodes_.back();
+    const SearchNode node = nodes_.back();
     nodes_.pop_back();
     if (quarry.hopeless(node)) {
       continue;
@@ -102,7 +100,7 @@ bool BlockSearch::searchBelow(const ExactNode& root, Quarry& quarry) {
 }
 
 /// Adds the nodes kLevelsAtOnce levels below that reach `min_count`, the best last.
-void BlockSearch::expand(const ExactNode& node, std::int32_t min_count) {
+void BlockSearch::expand(const SearchNode& node, std::int32_t min_count) {
   ++nodes_expanded_;
   const BlockShape shape{std::max(0, node.level - kLevelsAtOnce)};
   const int end = std::min(problem_.rotations.count(), node.rotation + (1 << node.level));
@@ -110,14 +108,14 @@ void BlockSearch::expand(const ExactNode& node, std::int32_t min_count) {
   for (int rotation = node.rotation; rotation < end; rotation += shape.stride()) {
     addChildren(node, shape, rotation, min_count);
   }
-  std::sort(nodes_.begin() + first_child, nodes_.end(), [](const ExactNode& a, const ExactNode& b) {
+  std::sort(nodes_.begin() + first_child, nodes_.end(), [](const SearchNode& a, const SearchNode& b) {
     return std::make_tuple(-a.bound, a.rotation, a.first.y, a.first.x) >
            std::make_tuple(-b.bound, b.rotation, b.first.y, b.first.x);
   });
 }
 
 /// Adds those of the node's children under a rotation that reach `min_count`.
-void BlockSearch::addChildren(const ExactNode& node, const BlockShape& shape, int rotation, std::int32_t min_count) {
+void BlockSearch::addChildren(const SearchNode& node, const BlockShape& shape, int rotation, std::int32_t min_count) {
   const int children = 1 << (node.level - shape.level);  // along an axis
   nodes_scored_ += children * children;
   settings_.kernel.scoreTile(problem_.reference.level(shape.level), cellsOf(shape, rotation),

@@ -46,9 +46,9 @@ class BlockSearch {
 
  private:
   SearchWindow windowOf(int first_rotation, const BlockShape& shape) const;
-  bool searchBelow(const ExactNode& root, Quarry& quarry);
-  void expand(const ExactNode& node, std::int32_t min_count);
-  void addChildren(const ExactNode& node, const BlockShape& shape, int rotation, std::int32_t min_count);
+  bool searchBelow(const SearchNode& root, Quarry& quarry);
+  void expand(const SearchNode& node, std::int32_t min_count);
+  void addChildren(const SearchNode& node, const BlockShape& shape, int rotation, std::int32_t min_count);
   const WeightedCells& cellsOf(const BlockShape& shape, int rotation);
 
   const ExactProblem& problem_;
@@ -57,7 +57,7 @@ class BlockSearch {
   std::vector<TileScore> scores_;  // of the last tile
   int first_rotation_ = 0;
   std::vector<std::optional<WeightedCells>> block_cells_;
-  std::vector<ExactNode> nodes_;
+  std::vector<SearchNode> nodes_;
   std::int32_t unsearched_bound_ = 0;
   std::int64_t nodes_scored_ = 0;
   std::int64_t nodes_expanded_ = 0;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <thread>
 #include <vector>
 
 #include "map_matcher/search/acceptance.hpp"
@@ -36,10 +35,6 @@ MatchResult outOfTime(const MatchResult& answer, const MatchOptions& options, co
   result.status = deadline.stopped() ? MatchStatus::kStopped : verdict.status;
   result.reason = deadline.stopped() ? kStoppedReason : verdict.reason;
   return result;
-}
-
-int numThreads(int option) {
-  return option > 0 ? option : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
 /// A row of the rotations of a full turn.
@@ -110,7 +105,7 @@ class Certification {
 
   ExactSettings settings() const {
     ExactSettings settings;
-    settings.threads = numThreads(options_.threads);
+    settings.threads = searchThreads(options_);
     settings.deadline = deadline_;
     return settings;
   }

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <atomic>
-#include <functional>
-#include <thread>
 #include <utility>
 
 #include "block_search.hpp"
+#include "crew.hpp"
 #include "map_matcher/search/stopwatch.hpp"
 #include "root_level.hpp"
 
@@ -55,24 +54,8 @@ class ExactSearch {
   /// Calls work(search, block) for all blocks, each once, on all threads, until a call returns false; whether none did.
   template <typename Work>
   bool forEachBlock(const Work& work) {
-    std::atomic<std::size_t> next{0};
-    std::atomic<bool> complete{true};
-    const auto run = [&](BlockSearch& search) {
-      for (std::size_t n = next++; n < blocks_.size() && complete; n = next++) {
-        if (!work(search, blocks_[n])) {
-          complete = false;
-        }
-      }
-    };
-    std::vector<std::thread> others;
-    for (std::size_t thread = 1; thread < searches_.size(); ++thread) {
-      others.emplace_back(run, std::ref(searches_[thread]));
-    }
-    run(searches_.front());
-    for (std::thread& other : others) {
-      other.join();
-    }
-    return complete;
+    return shareOut(searches_, blocks_.size(),
+                    [&](BlockSearch& search, std::size_t n) { return work(search, blocks_[n]); });
   }
 
   /// Scores the initial nodes that reach `threshold` and sorts the blocks, the best first. False when the deadline

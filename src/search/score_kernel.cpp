@@ -218,6 +218,20 @@ class TileCounting {
     }
   }
 
+  /// The largest count: from the highest digit on, those translations stay in the running that have it, if any has.
+  std::int32_t best() const {
+    TileBits candidates = wanted_;
+    std::int32_t count = 0;
+    for (int digit = counts_.size - 1; digit >= 0; --digit) {
+      TileBits with = counts_.digits[static_cast<std::size_t>(digit)];
+      if (keep(candidates, with)) {
+        candidates = with;
+        count |= 1 << digit;
+      }
+    }
+    return count;
+  }
+
  private:
   /// Whether any wanted translation has that many already.
   bool anyReaches(std::int32_t number) {
@@ -225,10 +239,15 @@ class TileCounting {
       return false;
     }
     functions_.find_reaching(counts_, static_cast<std::uint32_t>(number), reaching_);
+    return keep(wanted_, reaching_);
+  }
+
+  /// Keeps of `bits` what is wanted as well; whether anything is.
+  static bool keep(const TileBits& wanted, TileBits& bits) {
     unsigned any = 0;
-    for (std::size_t column = 0; column < reaching_.size(); ++column) {
-      reaching_[column] = static_cast<TileWord>(reaching_[column] & wanted_[column]);
-      any |= reaching_[column];
+    for (std::size_t column = 0; column < bits.size(); ++column) {
+      bits[column] = static_cast<TileWord>(bits[column] & wanted[column]);
+      any |= bits[column];
     }
     return any != 0;
   }
@@ -283,6 +302,13 @@ void ScoreKernel::scoreTile(const PooledLevel& level, const WeightedCells& cells
     begin += run.size;
   }
   counting.collect(scores);
+}
+
+std::int32_t ScoreKernel::bestCount(const PooledLevel& level, const RotatedCells& cells, const Cell& first,
+                                    const TileSize& size) const {
+  TileCounting counting(*functions_, level, first, size, static_cast<std::int32_t>(cells.x.size()), 0);
+  counting.add(cells.x.data(), cells.y.data(), cells.x.size(), 1);
+  return counting.best();
 }
 
 }  // namespace map_matcher

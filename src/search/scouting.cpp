@@ -1,7 +1,10 @@
 #include "map_matcher/search/scouting.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
 
 #include "map_matcher/search/score_kernel.hpp"
 
@@ -20,37 +23,45 @@ RotatedCells everyKth(const RotatedCells& cells, int num_wanted) {
   return sample;
 }
 
-/// The most matches of the sample at any node of the window.
-std::int32_t bestCount(const PooledLevel& level, const RotatedCells& sample, const SearchWindow& window) {
+/// The most matches of a sample at any node of the band's windows, and the number of the band.
+struct Prospect {
+  std::int32_t matches = 0;
+  std::size_t band = 0;
+};
+
+std::int32_t mostMatches(const SearchProblem& problem, const RotationBand& band, int num_cells) {
+  const RotatedCells sample = everyKth(band.cells, num_cells);
+  const auto share = static_cast<double>(sample.x.size()) / static_cast<double>(band.cells.x.size());
+  SearchWindow window =
+      reachableWindow(problem.reference, sample, static_cast<int>(share * static_cast<double>(problem.min_count)));
+  window = intersection(window, problem.windows[static_cast<std::size_t>(band.rotations.front())]);
+  const PooledLevel& level = problem.reference.level(problem.root_level);
   const ScoreKernel kernel;
-  std::vector<TileScore> scores;
-  std::int32_t best = 0;
+  std::int32_t most = 0;
   for (int y = window.first.y; y <= window.last.y; y += level.stride() * kTileRows) {
     for (int x = window.first.x; x <= window.last.x; x += level.stride() * kTileColumns) {
-      kernel.scoreTile(level, sample, {x, y}, {}, best + 1, scores);
-      for (const TileScore& score : scores) {
-        best = std::max(best, score.count);
-      }
+      const TileSize size = tileWithin(window.last, {x, y}, level.stride());
+      most = std::max(most, kernel.bestCount(level, sample, {x, y}, size));
     }
   }
-  return best;
+  return most;
 }
 
 }  // namespace
 
-std::vector<std::size_t> promisingFirst(const SearchProblem& problem, int num_cells, const Deadline& deadline) {
-  const PooledLevel& level = problem.reference.level(problem.root_level);
-  std::vector<std::size_t> order(problem.rotations.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::vector<std::int32_t> best(order.size(), 0);
-  for (std::size_t n = 0; n < order.size() && !deadline.passed(); n += 2) {  // the next rotation is much the same
-    const RotatedCells& cells = problem.rotations[n];
-    const SearchWindow reachable = reachableWindow(problem.reference, cells, problem.min_count);
-    best[n] = bestCount(level, everyKth(cells, num_cells), intersection(problem.windows[n], reachable));
-    best[std::min(n + 1, best.size() - 1)] = best[n];
+void putPromisingFirst(SearchProblem& problem, int num_cells, const Deadline& deadline) {
+  std::vector<RotationBand>& bands = problem.bands;
+  std::vector<Prospect> prospects(bands.size());
+  for (std::size_t n = 0; n < bands.size(); ++n) {
+    prospects[n] = {deadline.passed() ? 0 : mostMatches(problem, bands[n], num_cells), n};
   }
-  std::stable_sort(order.begin(), order.end(), [&best](std::size_t a, std::size_t b) { return best[a] > best[b]; });
-  return order;
+  std::stable_sort(prospects.begin(), prospects.end(),
+                   [](const Prospect& a, const Prospect& b) { return a.matches > b.matches; });
+  std::vector<RotationBand> ordered;
+  for (const Prospect& prospect : prospects) {
+    ordered.push_back(std::move(bands[prospect.band]));
+  }
+  bands = std::move(ordered);
 }
 
 }  // namespace map_matcher
