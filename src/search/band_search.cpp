@@ -69,7 +69,7 @@ void BandSearch::forEachTile(const SearchWindow& window, int stride, const Work&
 
 bool BandSearch::scoreBand(const RotationBand& band) {
   const auto first_new = static_cast<std::ptrdiff_t>(initial_nodes_.size());
-  if (problem_.reference.topBandLevel() >= problem_.root_level && !band.cells.x.empty()) {
+  if (problem_.reference.topBandLevel() >= problem_.root_level && !problem_.bands.empty()) {
     scoreTogether(band);
   } else {
     for (const int rotation : band.rotations) {
@@ -94,7 +94,8 @@ void BandSearch::scoreTogether(const RotationBand& band) {
   for (const int rotation : band.rotations) {
     window = hull(window, windowOf(rotation));
   }
-  window = reachable(window, band.cells, kBandReach);
+  band_cells_ = problem_.turned(band.middle);
+  window = reachable(window, band_cells_, kBandReach);
   if (window.empty()) {
     return;
   }
@@ -111,7 +112,7 @@ void BandSearch::scoreWhereAnythingIs(const RotationBand& band, const SearchWind
   const int finer = 1 << (sieve - problem_.root_level);
   const Cell tile{kTileColumns << problem_.root_level, kTileRows << problem_.root_level};  // of initial nodes [cells]
   forEachTile(window, 1 << sieve, [&](const Cell& first, const TileSize& size) {
-    scoreTile(problem_.reference.bandLevel(sieve), band.cells, PrecomputedGrids::bandPosition(first), size);
+    scoreTile(problem_.reference.bandLevel(sieve), band_cells_, PrecomputedGrids::bandPosition(first), size);
     std::array<bool, 1 << (2 * kSieveLevels)> anything{};
     for (const TileScore& score : scores_) {
       const int column = score.column * finer / kTileColumns;
@@ -131,7 +132,7 @@ void BandSearch::scoreWhereAnythingIs(const RotationBand& band, const SearchWind
 void BandSearch::scoreBandWindow(const RotationBand& band, const SearchWindow& window) {
   const int stride = 1 << problem_.root_level;
   forEachTile(window, stride, [&](const Cell& first, const TileSize& size) {
-    scoreTile(problem_.reference.bandLevel(problem_.root_level), band.cells, PrecomputedGrids::bandPosition(first),
+    scoreTile(problem_.reference.bandLevel(problem_.root_level), band_cells_, PrecomputedGrids::bandPosition(first),
               size);
     const SearchWindow promising = windowAround(scores_, first, stride);
     for (const int rotation : band.rotations) {

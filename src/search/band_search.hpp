@@ -56,6 +56,7 @@ class BandSearch {
   Quarry& quarry_;
   ScoreKernel kernel_;
   std::vector<RotatedCells> rotated_;  // the cells under each rotation; empty until they are needed
+  RotatedCells band_cells_;            // the same at the middle of the band
   std::vector<SearchNode> initial_nodes_;
   std::vector<SearchNode> nodes_;
   std::vector<TileScore> scores_;  // of the last tile

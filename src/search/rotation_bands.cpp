@@ -22,7 +22,7 @@ std::vector<RotationBand> rotationBands(const SessionCells& session, const std::
   for (auto first = order.cbegin(); first != order.cend();) {
     const double begin = angle(*first);
     const auto end = std::find_if(first, order.cend(), [&](int n) { return angle(n) - begin > widest; });
-    bands.push_back({{first, end}, rotate(session, 0.5 * (begin + angle(*(end - 1))))});
+    bands.push_back({{first, end}, 0.5 * (begin + angle(*(end - 1)))});
     first = end;
   }
   return bands;

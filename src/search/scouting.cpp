@@ -12,13 +12,12 @@ namespace map_matcher {
 namespace {
 
 /// At most `num_wanted` cells, equally spaced in the order of the cells.
-RotatedCells everyKth(const RotatedCells& cells, int num_wanted) {
+SessionCells everyKth(const SessionCells& session, int num_wanted) {
   const auto wanted = static_cast<std::size_t>(num_wanted);
-  const std::size_t step = std::max<std::size_t>(1, (cells.x.size() + wanted - 1) / wanted);
-  RotatedCells sample;
-  for (std::size_t k = 0; k < cells.x.size(); k += step) {
-    sample.x.push_back(cells.x[k]);
-    sample.y.push_back(cells.y[k]);
+  const std::size_t step = std::max<std::size_t>(1, (session.points.size() + wanted - 1) / wanted);
+  SessionCells sample;
+  for (std::size_t k = 0; k < session.points.size(); k += step) {
+    sample.points.push_back(session.points[k]);
   }
   return sample;
 }
@@ -29,11 +28,9 @@ struct Prospect {
   std::size_t band = 0;
 };
 
-std::int32_t mostMatches(const SearchProblem& problem, const RotationBand& band, int num_cells) {
-  const RotatedCells sample = everyKth(band.cells, num_cells);
-  const auto share = static_cast<double>(sample.x.size()) / static_cast<double>(band.cells.x.size());
-  SearchWindow window =
-      reachableWindow(problem.reference, sample, static_cast<int>(share * static_cast<double>(problem.min_count)));
+std::int32_t mostMatches(const SearchProblem& problem, const RotationBand& band, const RotatedCells& sample,
+                         int min_count) {
+  SearchWindow window = reachableWindow(problem.reference, sample, min_count);
   window = intersection(window, problem.windows[static_cast<std::size_t>(band.rotations.front())]);
   const PooledLevel& level = problem.reference.level(problem.root_level);
   const ScoreKernel kernel;
@@ -49,11 +46,17 @@ std::int32_t mostMatches(const SearchProblem& problem, const RotationBand& band,
 
 }  // namespace
 
-void putPromisingFirst(SearchProblem& problem, int num_cells, const Deadline& deadline) {
+void putPromisingFirst(SearchProblem& problem, const SessionCells& session, int num_cells, const Deadline& deadline) {
+  const SessionCells sample = everyKth(session, num_cells);
+  const auto share = static_cast<double>(sample.points.size()) / static_cast<double>(session.points.size());
+  const auto min_count = static_cast<int>(share * problem.min_count);  // rounding is no matter: it decides nothing
   std::vector<RotationBand>& bands = problem.bands;
   std::vector<Prospect> prospects(bands.size());
   for (std::size_t n = 0; n < bands.size(); ++n) {
-    prospects[n] = {deadline.passed() ? 0 : mostMatches(problem, bands[n], num_cells), n};
+    prospects[n].band = n;
+    if (!deadline.passed()) {
+      prospects[n].matches = mostMatches(problem, bands[n], rotate(sample, bands[n].middle), min_count);
+    }
   }
   std::stable_sort(prospects.begin(), prospects.end(),
                    [](const Prospect& a, const Prospect& b) { return a.matches > b.matches; });

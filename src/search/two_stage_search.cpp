@@ -28,6 +28,7 @@ struct Stage {
   Stage(const char* name, const PrecomputedGrids& reference) : problem{reference, {}, {}, {}, 1, 0} {
     report.name = name;
     problem.cells = [this](int n) { return rotate(session, angles[static_cast<std::size_t>(n)]); };
+    problem.turned = [this](double angle) { return rotate(session, angle); };
   }
   Stage(const Stage&) = delete;
   Stage& operator=(const Stage&) = delete;
@@ -136,7 +137,7 @@ class TwoStageSearch {
     if (prior_.heading) {
       putNearestFirst(stage.problem.bands);
     } else {
-      putPromisingFirst(stage.problem, kScoutCells, deadline_);
+      putPromisingFirst(stage.problem, stage.session, kScoutCells, deadline_);
     }
     stage.report.initialization_time = watch.lap();
     record(stage, branchAndBound(stage.problem, deadline_));

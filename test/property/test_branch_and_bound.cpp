@@ -85,6 +85,7 @@ struct TurningSearch {
     const auto cells = [this](int n) { return rotations[static_cast<std::size_t>(n)]; };
     SearchProblem problem{grids[0], cells, windows, {}, 1, test::randomInt(random, 0, kTopLevel)};
     problem.bands = rotationBands(session, angles);
+    problem.turned = [this](double angle) { return rotate(session, angle); };
     problem.threads = test::randomInt(random, 1, 3);
     return problem;
   }
@@ -104,7 +105,7 @@ TEST(BranchAndBound, WithBandsOfRotationsAndThreadsFindsTheFirstOfTheBestPoses) 
     const SearchPose expected = test::firstOfTheBest(search.grids[0], search.rotations, search.windows);
     SearchProblem problem = search.problem();
     if (seed % 2 == 0) {
-      putPromisingFirst(problem, 16);
+      putPromisingFirst(problem, search.session, 16);
     }
 
     const SearchOutcome outcome = branchAndBound(problem);

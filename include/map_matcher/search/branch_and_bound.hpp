@@ -28,7 +28,8 @@ struct SearchProblem {
   /// Bands of all rotations, in the order in which they are scored: the sooner a good one comes, the sooner the others
   /// are given up. Empty: rotations are scored one by one.
   std::vector<RotationBand> bands{};
-  int threads = 1;  ///< At least 1. The answer is the same with any number.
+  std::function<RotatedCells(double)> turned{};  ///< The session cells turned by an angle [rad]; called for bands.
+  int threads = 1;                               ///< At least 1. The answer is the same with any number.
 };
 
 /// A pose of the search.

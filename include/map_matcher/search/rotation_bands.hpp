@@ -5,16 +5,15 @@
 #include <vector>
 
 #include "map_matcher/search/precomputed_grids.hpp"
-#include "map_matcher/search/rotations.hpp"
 #include "map_matcher/search/session_cells.hpp"
 
 namespace map_matcher {
 
-/// Some rotations of a search, and one that stands for them.
+/// Some rotations of a search, and one that stands for them: at each of the rotations every session cell lies within
+/// kBandReach cells of where it lies at the middle, along both axes.
 struct RotationBand {
   std::vector<int> rotations;  ///< Indices into SearchProblem::windows.
-  RotatedCells cells;          ///< At each of the rotations every session cell lies within kBandReach cells of the one
-                               ///< that is given here, along both axes.
+  double middle = 0.0;         ///< [rad]
 };
 
 /// Bands that together hold all rotations of `angles` [rad], each once, in order of their angles: as wide as they may
