@@ -12,7 +12,7 @@
 namespace map_matcher {
 namespace {
 
-/// Initial nodes that are kept, 12 bytes each; those of further blocks are scored again when their turn comes.
+/// Initial nodes that are kept, 16 bytes each; those of further blocks are scored again when their turn comes.
 constexpr std::int64_t kMostStoredNodes = std::int64_t{1} << 23;
 
 /// All threads of a search and what they share.
@@ -20,13 +20,12 @@ class ExactSearch {
  public:
   ExactSearch(const ExactProblem& problem, const ExactSettings& settings) : problem_(problem), settings_(settings) {
     Stopwatch watch;
-    const int level =
-        settings.root_level ? *settings.root_level : cheapestRootLevel(problem, settings, firstThreshold());
+    const RootLevels levels = rootLevels();
     outcome_.root_time = watch.lap();
     for (int thread = 0; thread < std::max(1, settings.threads); ++thread) {
-      searches_.emplace_back(problem_, settings_, level);
+      searches_.emplace_back(problem_, settings_, levels);
     }
-    for (int first = 0; first < problem.rotations.count(); first += 1 << level) {
+    for (int first = 0; first < problem.rotations.count(); first += 1 << levels.sieve) {
       RotationBlock block;
       block.first_rotation = first;
       blocks_.push_back(block);
@@ -49,6 +48,13 @@ class ExactSearch {
   }
 
  private:
+  RootLevels rootLevels() const {
+    if (!settings_.root_level) {
+      return cheapestRootLevels(problem_, settings_, firstThreshold());
+    }
+    return {*settings_.root_level, std::min(*settings_.root_level + 1, problem_.reference.topLevel())};
+  }
+
   std::int32_t runnerUpThreshold(std::int32_t best) const { return std::max(1, best - problem_.runner_up_gap); }
 
   /// Calls work(search, block) for all blocks, each once, on all threads, until a call returns false; whether none did.
