@@ -55,7 +55,8 @@ class Certification {
         cells_(session.fine),
         step_(rotationStep(1.0, cells_.diagonal)),
         range_(allowedRotations()),
-        rotations_(cells_, range_.first * step_, step_, range_.count, reference.exact().topLevel()),
+        rotations_(cells_, range_.first * step_, step_, range_.count, reference.exact().topLevel(),
+                   searchThreads(options)),
         problem_{reference.exact(), rotations_} {
     const int n = rotations_.numCells();
     problem_.windows = priorWindows();

@@ -2,6 +2,7 @@
 /// Work shared out among threads.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <functional>
@@ -32,6 +33,17 @@ bool shareOut(std::vector<Worker>& workers, std::size_t count, const Work& work)
     other.join();
   }
   return complete;
+}
+
+/// Calls work(n) for n = 0 ... count - 1, each once, on `threads` threads, at least one.
+template <typename Work>
+void forEachOnThreads(int threads, std::size_t count, const Work& work) {
+  struct Worker {};
+  std::vector<Worker> workers(static_cast<std::size_t>(std::max(1, threads)));
+  shareOut(workers, count, [&work](Worker& /*worker*/, std::size_t n) {
+    work(n);
+    return true;
+  });
 }
 
 }  // namespace map_matcher

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "crew.hpp"
 #include "map_matcher/search/score_kernel.hpp"
 
 namespace map_matcher {
@@ -30,10 +31,10 @@ struct Prospect {
 
 std::int32_t mostMatches(const SearchProblem& problem, const RotationBand& band, const RotatedCells& sample,
                          int min_count) {
+  const ScoreKernel kernel;
   SearchWindow window = reachableWindow(problem.reference, sample, min_count);
   window = intersection(window, problem.windows[static_cast<std::size_t>(band.rotations.front())]);
   const PooledLevel& level = problem.reference.level(problem.root_level);
-  const ScoreKernel kernel;
   std::int32_t most = 0;
   for (int y = window.first.y; y <= window.last.y; y += level.stride() * kTileRows) {
     for (int x = window.first.x; x <= window.last.x; x += level.stride() * kTileColumns) {
@@ -52,12 +53,12 @@ void putPromisingFirst(SearchProblem& problem, const SessionCells& session, int 
   const auto min_count = static_cast<int>(share * problem.min_count);  // rounding is no matter: it decides nothing
   std::vector<RotationBand>& bands = problem.bands;
   std::vector<Prospect> prospects(bands.size());
-  for (std::size_t n = 0; n < bands.size(); ++n) {
+  forEachOnThreads(problem.threads, bands.size(), [&](std::size_t n) {
     prospects[n].band = n;
     if (!deadline.passed()) {
       prospects[n].matches = mostMatches(problem, bands[n], rotate(sample, bands[n].middle), min_count);
     }
-  }
+  });
   std::stable_sort(prospects.begin(), prospects.end(),
                    [](const Prospect& a, const Prospect& b) { return a.matches > b.matches; });
   std::vector<RotationBand> ordered;
