@@ -62,6 +62,7 @@ void putPromisingFirst(SearchProblem& problem, const SessionCells& session, int 
   std::stable_sort(prospects.begin(), prospects.end(),
                    [](const Prospect& a, const Prospect& b) { return a.matches > b.matches; });
   std::vector<RotationBand> ordered;
+  ordered.reserve(bands.size());
   for (const Prospect& prospect : prospects) {
     ordered.push_back(std::move(bands[prospect.band]));
   }
