@@ -90,6 +90,7 @@ using SharedPair = std::shared_ptr<const MapPair>;
 void registerTwoStages(const SharedPair& pair) {
   MatchOptions options;
   options.search = "two_stage";
+  options.threads = 1;
   const auto match = [pair, options](benchmark::State& state) { matchPair(state, pair, options); };
   benchmark::RegisterBenchmark(("BM_TwoStages/" + pair->name).c_str(), match)->Unit(benchmark::kMillisecond);
 }

@@ -1,6 +1,8 @@
 #include "block_search.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <tuple>
 
 namespace map_matcher {
@@ -21,43 +23,101 @@ SearchWindow onGrain(const SearchWindow& window, const BlockShape& shape) {
 /// deadline passed before that.
 bool BlockSearch::scoreRoots(RotationBlock& block, std::int32_t min_count) {
   block.roots.clear();
-  const BlockShape shape{root_level_};
-  const WeightedCells cells = problem_.rotations.cells(shape, block.first_rotation);
-  const SearchWindow window = onGrain(
-      intersection(windowOf(block.first_rotation, shape), reachableWindow(problem_.reference, shape, cells, min_count)),
-      shape);
-  const PooledLevel& level = problem_.reference.level(root_level_);
-  const int stride = shape.stride();
-  for (int y = window.first.y; y <= window.last.y; y += stride * kTileRows) {
-    for (int x = window.first.x; x <= window.last.x; x += stride * kTileColumns) {
-      if (settings_.deadline.passed()) {
-        return false;
-      }
-      const TileSize size = tileWithin(window.last, {x, y}, stride);
-      nodes_scored_ += static_cast<std::int64_t>(size.columns) * size.rows;
-      settings_.kernel.scoreTile(level, cells, problem_.reference.position(root_level_, {x, y}), size, min_count,
-                                 scores_);
-      for (const TileScore& score : scores_) {
-        block.roots.push_back({score.count, {x + score.column * stride, y + score.row * stride}});
-      }
-    }
+  enter(block);
+  const BlockShape shape{levels_.sieve};
+  const SearchWindow reachable =
+      reachableWindow(problem_.reference, shape, cellsOf(shape, block.first_rotation), min_count);
+  const SearchWindow window = onGrain(intersection(windowOf(block.first_rotation, shape), reachable), shape);
+  const bool complete = levels_.sieve > levels_.nodes
+                            ? scoreWhereAnythingIs(block.first_rotation, window, min_count, block.roots)
+                            : scoreWindow(block.first_rotation, window, min_count, block.roots);
+  if (!complete) {
+    return false;
   }
   std::sort(block.roots.begin(), block.roots.end(), [](const RootNode& a, const RootNode& b) {
-    return std::make_tuple(-a.bound, a.first.y, a.first.x) < std::make_tuple(-b.bound, b.first.y, b.first.x);
+    return std::make_tuple(-a.bound, a.rotation, a.first.y, a.first.x) <
+           std::make_tuple(-b.bound, b.rotation, b.first.y, b.first.x);
   });
   block.best_bound = block.roots.empty() ? 0 : block.roots.front().bound;
   return true;
 }
 
+/// Adds the initial nodes of a window that reach `min_count`. False when the deadline passed before that.
+bool BlockSearch::scoreWindow(int rotation, const SearchWindow& window, std::int32_t min_count,
+                              std::vector<RootNode>& roots) {
+  const BlockShape shape{levels_.nodes};
+  const int stride = shape.stride();
+  for (int y = window.first.y; y <= window.last.y; y += stride * kTileRows) {
+    for (int x = window.first.x; x <= window.last.x; x += stride * kTileColumns) {
+      if (!scoreTile(shape, rotation, {x, y}, tileWithin(window.last, {x, y}, stride), min_count)) {
+        return false;
+      }
+      for (const TileScore& score : scores_) {
+        roots.push_back({score.count, rotation, {x + score.column * stride, y + score.row * stride}});
+      }
+    }
+  }
+  return true;
+}
+
+/// The same for both halves of a block, but looks only at tiles that hold a node of the sieve's level which reaches
+/// `min_count`.
+bool BlockSearch::scoreWhereAnythingIs(int first_rotation, const SearchWindow& window, std::int32_t min_count,
+                                       std::vector<RootNode>& roots) {
+  const BlockShape shape{levels_.sieve};
+  const BlockShape half{levels_.nodes};
+  const int stride = shape.stride();
+  const Cell tile{kTileColumns * half.stride(), kTileRows * half.stride()};  // of initial nodes [cells]
+  for (int y = window.first.y; y <= window.last.y; y += stride * kTileRows) {
+    for (int x = window.first.x; x <= window.last.x; x += stride * kTileColumns) {
+      if (!scoreTile(shape, first_rotation, {x, y}, tileWithin(window.last, {x, y}, stride), min_count)) {
+        return false;
+      }
+      std::array<bool, 4> anything{};
+      for (const TileScore& score : scores_) {
+        anything[static_cast<std::size_t>(score.row * 2 / kTileRows * 2 + score.column * 2 / kTileColumns)] = true;
+      }
+      for (int k = 0; k < 8; ++k) {
+        const Cell part{x + k % 2 * tile.x, y + k / 2 % 2 * tile.y};
+        const int rotation = first_rotation + k / 4 * half.stride();
+        const SearchWindow here = intersection(intersection({part, {part.x + tile.x - 1, part.y + tile.y - 1}}, window),
+                                               windowOf(rotation, half));
+        if (anything[static_cast<std::size_t>(k % 4)] && rotation < problem_.rotations.count() &&
+            !scoreWindow(rotation, onGrain(here, half), min_count, roots)) {
+          return false;
+        }
+      }
+    }
+  }
+  return true;
+}
+
+/// Scores a tile of nodes. False when the deadline passed before that.
+bool BlockSearch::scoreTile(const BlockShape& shape, int rotation, const Cell& first, const TileSize& size,
+                            std::int32_t min_count) {
+  if (settings_.deadline.passed()) {
+    return false;
+  }
+  nodes_scored_ += static_cast<std::int64_t>(size.columns) * size.rows;
+  settings_.kernel.scoreTile(problem_.reference.level(shape.level), cellsOf(shape, rotation),
+                             problem_.reference.position(shape.level, first), size, min_count, scores_);
+  return true;
+}
+
+/// Forgets the cells of another block.
+void BlockSearch::enter(const RotationBlock& block) {
+  block_cells_.assign(static_cast<std::size_t>(2 << levels_.sieve), std::nullopt);
+  first_rotation_ = block.first_rotation;
+}
+
 /// Searches below the initial nodes of a block. False when the deadline passed before that.
 bool BlockSearch::searchBelow(const RotationBlock& block, Quarry& quarry) {
-  block_cells_.assign(static_cast<std::size_t>(2 << root_level_), std::nullopt);
-  first_rotation_ = block.first_rotation;
+  enter(block);
   for (const RootNode& root : block.roots) {
     if (root.bound < quarry.threshold()) {
       break;
     }
-    if (!searchBelow(ExactNode{root.bound, block.first_rotation, root.first, root_level_}, quarry)) {
+    if (!searchBelow(SearchNode{root.bound, root.rotation, root.first, levels_.nodes}, quarry)) {
       unsearched_bound_ = root.bound;
       return false;
     }
@@ -70,21 +130,19 @@ SearchWindow BlockSearch::windowOf(int first_rotation, const BlockShape& shape) 
   if (problem_.windows.empty()) {
     return everywhere();
   }
-  SearchWindow hull{everywhere().last, everywhere().first};
+  SearchWindow window{everywhere().last, everywhere().first};
   const int end = std::min(problem_.rotations.count(), first_rotation + shape.stride());
   for (int n = first_rotation; n < end; ++n) {
-    const SearchWindow& window = problem_.windows[static_cast<std::size_t>(n)];
-    hull.first = {std::min(hull.first.x, window.first.x), std::min(hull.first.y, window.first.y)};
-    hull.last = {std::max(hull.last.x, window.last.x), std::max(hull.last.y, window.last.y)};
+    window = hull(window, problem_.windows[static_cast<std::size_t>(n)]);
   }
-  return hull;
+  return window;
 }
 
 /// Depth first, the best child first. False when the deadline passed.
-bool BlockSearch::searchBelow(const ExactNode& root, Quarry& quarry) {
+bool BlockSearch::searchBelow(const SearchNode& root, Quarry& quarry) {
   nodes_.assign(1, root);
   while (!nodes_.empty()) {
-    const ExactNode node = nodes_.back();
+    const SearchNode node = nodes_.back();
     nodes_.pop_back();
     if (quarry.hopeless(node)) {
       continue;
@@ -102,7 +160,7 @@ bool BlockSearch::searchBelow(const ExactNode& root, Quarry& quarry) {
 }
 
 /// Adds the nodes kLevelsAtOnce levels below that reach `min_count`, the best last.
-void BlockSearch::expand(const ExactNode& node, std::int32_t min_count) {
+void BlockSearch::expand(const SearchNode& node, std::int32_t min_count) {
   ++nodes_expanded_;
   const BlockShape shape{std::max(0, node.level - kLevelsAtOnce)};
   const int end = std::min(problem_.rotations.count(), node.rotation + (1 << node.level));
@@ -110,14 +168,14 @@ void BlockSearch::expand(const ExactNode& node, std::int32_t min_count) {
   for (int rotation = node.rotation; rotation < end; rotation += shape.stride()) {
     addChildren(node, shape, rotation, min_count);
   }
-  std::sort(nodes_.begin() + first_child, nodes_.end(), [](const ExactNode& a, const ExactNode& b) {
+  std::sort(nodes_.begin() + first_child, nodes_.end(), [](const SearchNode& a, const SearchNode& b) {
     return std::make_tuple(-a.bound, a.rotation, a.first.y, a.first.x) >
            std::make_tuple(-b.bound, b.rotation, b.first.y, b.first.x);
   });
 }
 
 /// Adds those of the node's children under a rotation that reach `min_count`.
-void BlockSearch::addChildren(const ExactNode& node, const BlockShape& shape, int rotation, std::int32_t min_count) {
+void BlockSearch::addChildren(const SearchNode& node, const BlockShape& shape, int rotation, std::int32_t min_count) {
   const int children = 1 << (node.level - shape.level);  // along an axis
   nodes_scored_ += children * children;
   settings_.kernel.scoreTile(problem_.reference.level(shape.level), cellsOf(shape, rotation),
@@ -136,7 +194,7 @@ void BlockSearch::addChildren(const ExactNode& node, const BlockShape& shape, in
 
 /// The cells of a node below the current block, kept until the next block.
 const WeightedCells& BlockSearch::cellsOf(const BlockShape& shape, int rotation) {
-  const int blocks_above = 1 << (root_level_ - shape.level);  // a binary tree, level by level
+  const int blocks_above = 1 << (levels_.sieve - shape.level);  // a binary tree, level by level
   const int index = blocks_above + ((rotation - first_rotation_) >> shape.level);
   std::optional<WeightedCells>& cells = block_cells_[static_cast<std::size_t>(index)];
   if (!cells) {

@@ -11,9 +11,17 @@
 
 namespace map_matcher {
 
+/// Where a search begins.
+struct RootLevels {
+  int nodes = 0;  ///< Level of the initial nodes.
+  int sieve = 0;  ///< Level of the nodes that tell in which parts of the map there may be any: `nodes`, which then tell
+                  ///< it themselves, or one more. A block has 2^sieve rotations.
+};
+
 /// An initial node of a block of rotations.
 struct RootNode {
   std::int32_t bound;
+  int rotation;
   Cell first;
 };
 
@@ -28,8 +36,8 @@ struct RotationBlock {
 /// Work of one thread: scores initial nodes and searches below them, block by block.
 class BlockSearch {
  public:
-  BlockSearch(const ExactProblem& problem, const ExactSettings& settings, int root_level)
-      : problem_(problem), settings_(settings), root_level_(root_level) {}
+  BlockSearch(const ExactProblem& problem, const ExactSettings& settings, const RootLevels& levels)
+      : problem_(problem), settings_(settings), levels_(levels) {}
 
   std::int64_t nodesScored() const { return nodes_scored_; }
   std::int64_t nodesExpanded() const { return nodes_expanded_; }
@@ -46,18 +54,24 @@ class BlockSearch {
 
  private:
   SearchWindow windowOf(int first_rotation, const BlockShape& shape) const;
-  bool searchBelow(const ExactNode& root, Quarry& quarry);
-  void expand(const ExactNode& node, std::int32_t min_count);
-  void addChildren(const ExactNode& node, const BlockShape& shape, int rotation, std::int32_t min_count);
+  void enter(const RotationBlock& block);
+  bool scoreWindow(int rotation, const SearchWindow& window, std::int32_t min_count, std::vector<RootNode>& roots);
+  bool scoreWhereAnythingIs(int first_rotation, const SearchWindow& window, std::int32_t min_count,
+                            std::vector<RootNode>& roots);
+  bool scoreTile(const BlockShape& shape, int rotation, const Cell& first, const TileSize& size,
+                 std::int32_t min_count);
+  bool searchBelow(const SearchNode& root, Quarry& quarry);
+  void expand(const SearchNode& node, std::int32_t min_count);
+  void addChildren(const SearchNode& node, const BlockShape& shape, int rotation, std::int32_t min_count);
   const WeightedCells& cellsOf(const BlockShape& shape, int rotation);
 
   const ExactProblem& problem_;
   const ExactSettings& settings_;
-  int root_level_;
+  RootLevels levels_;
   std::vector<TileScore> scores_;  // of the last tile
   int first_rotation_ = 0;
   std::vector<std::optional<WeightedCells>> block_cells_;
-  std::vector<ExactNode> nodes_;
+  std::vector<SearchNode> nodes_;
   std::int32_t unsearched_bound_ = 0;
   std::int64_t nodes_scored_ = 0;
   std::int64_t nodes_expanded_ = 0;

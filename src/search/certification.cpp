@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <thread>
 #include <vector>
 
 #include "map_matcher/search/acceptance.hpp"
@@ -38,10 +37,6 @@ MatchResult outOfTime(const MatchResult& answer, const MatchOptions& options, co
   return result;
 }
 
-int numThreads(int option) {
-  return option > 0 ? option : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-}
-
 /// A row of the rotations of a full turn.
 struct RotationRange {
   int first = 0;
@@ -60,7 +55,8 @@ class Certification {
         cells_(session.fine),
         step_(rotationStep(1.0, cells_.diagonal)),
         range_(allowedRotations()),
-        rotations_(cells_, range_.first * step_, step_, range_.count, reference.exact().topLevel()),
+        rotations_(cells_, range_.first * step_, step_, range_.count, reference.exact().topLevel(),
+                   searchThreads(options)),
         problem_{reference.exact(), rotations_} {
     const int n = rotations_.numCells();
     problem_.windows = priorWindows();
@@ -110,7 +106,7 @@ class Certification {
 
   ExactSettings settings() const {
     ExactSettings settings;
-    settings.threads = numThreads(options_.threads);
+    settings.threads = searchThreads(options_);
     settings.deadline = deadline_;
     return settings;
   }

@@ -2,18 +2,17 @@
 
 #include <algorithm>
 #include <atomic>
-#include <functional>
-#include <thread>
 #include <utility>
 
 #include "block_search.hpp"
+#include "crew.hpp"
 #include "map_matcher/search/stopwatch.hpp"
 #include "root_level.hpp"
 
 namespace map_matcher {
 namespace {
 
-/// Initial nodes that are kept, 12 bytes each; those of further blocks are scored again when their turn comes.
+/// Initial nodes that are kept, 16 bytes each; those of further blocks are scored again when their turn comes.
 constexpr std::int64_t kMostStoredNodes = std::int64_t{1} << 23;
 
 /// All threads of a search and what they share.
@@ -21,13 +20,12 @@ class ExactSearch {
  public:
   ExactSearch(const ExactProblem& problem, const ExactSettings& settings) : problem_(problem), settings_(settings) {
     Stopwatch watch;
-    const int level =
-        settings.root_level ? *settings.root_level : cheapestRootLevel(problem, settings, firstThreshold());
+    const RootLevels levels = rootLevels();
     outcome_.root_time = watch.lap();
     for (int thread = 0; thread < std::max(1, settings.threads); ++thread) {
-      searches_.emplace_back(problem_, settings_, level);
+      searches_.emplace_back(problem_, settings_, levels);
     }
-    for (int first = 0; first < problem.rotations.count(); first += 1 << level) {
+    for (int first = 0; first < problem.rotations.count(); first += 1 << levels.sieve) {
       RotationBlock block;
       block.first_rotation = first;
       blocks_.push_back(block);
@@ -50,29 +48,20 @@ class ExactSearch {
   }
 
  private:
+  RootLevels rootLevels() const {
+    if (!settings_.root_level) {
+      return cheapestRootLevels(problem_, settings_, firstThreshold());
+    }
+    return {*settings_.root_level, std::min(*settings_.root_level + 1, problem_.reference.topLevel())};
+  }
+
   std::int32_t runnerUpThreshold(std::int32_t best) const { return std::max(1, best - problem_.runner_up_gap); }
 
   /// Calls work(search, block) for all blocks, each once, on all threads, until a call returns false; whether none did.
   template <typename Work>
   bool forEachBlock(const Work& work) {
-    std::atomic<std::size_t> next{0};
-    std::atomic<bool> complete{true};
-    const auto run = [&](BlockSearch& search) {
-      for (std::size_t n = next++; n < blocks_.size() && complete; n = next++) {
-        if (!work(search, blocks_[n])) {
-          complete = false;
-        }
-      }
-    };
-    std::vector<std::thread> others;
-    for (std::size_t thread = 1; thread < searches_.size(); ++thread) {
-      others.emplace_back(run, std::ref(searches_[thread]));
-    }
-    run(searches_.front());
-    for (std::thread& other : others) {
-      other.join();
-    }
-    return complete;
+    return shareOut(searches_, blocks_.size(),
+                    [&](BlockSearch& search, std::size_t n) { return work(search, blocks_[n]); });
   }
 
   /// Scores the initial nodes that reach `threshold` and sorts the blocks, the best first. False when the deadline

@@ -2,8 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <thread>
 
 namespace map_matcher {
+
+int searchThreads(const MatchOptions& options) {
+  return options.threads > 0 ? options.threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
 
 int minCount(double ratio, int num_cells) { return std::max(1, static_cast<int>(std::ceil(ratio * num_cells - 1e-9))); }
 
@@ -54,8 +59,7 @@ ParameterList parametersOf(MatchOptions& options) {
        &options.confirm_relocation},
       {"exact_deadline", "s", "Exact search: time after which a search ends without a proof.", &options.exact_deadline,
        0.0, 3600.0},
-      {"threads", "", "Exact search: threads that it uses; 0 is as many as the processor has.", &options.threads, 0.0,
-       256.0},
+      {"threads", "", "Threads that search; 0 is as many as the processor has.", &options.threads, 0.0, 256.0},
       {"hits_sample_threshold", "cells",
        "Session cells looked at in each stage, always the same ones for the same map; 0 looks at all.",
        &options.hits_sample_threshold, 0.0, 1e9},

@@ -102,17 +102,18 @@ void PooledLevel::spreadRows(std::ptrdiff_t phase) {
   }
 }
 
-PrecomputedGrids::PrecomputedGrids(int width, int height, const std::vector<Cell>& walls, int top_level)
+PrecomputedGrids::PrecomputedGrids(int width, int height, const std::vector<Cell>& walls, int top_level,
+                                   int top_band_level)
     : width_(width), height_(height), first_wall_{width, height}, last_wall_{-1, -1} {
   if (width < 1 || height < 1) {
     throw std::invalid_argument("the reference map is " + std::to_string(width) + " x " + std::to_string(height) +
                                 " cells, expected at least 1 x 1");
   }
-  if (top_level < 0 || top_level > kMaxLevel) {
-    throw std::invalid_argument("top_level is " + std::to_string(top_level) + ", expected 0 to " +
-                                std::to_string(kMaxLevel));
+  if (top_level < 0 || std::max(top_level, top_band_level) > kMaxLevel) {
+    throw std::invalid_argument("top_level is " + std::to_string(top_level) + " and top_band_level " +
+                                std::to_string(top_band_level) + ", expected 0 to " + std::to_string(kMaxLevel));
   }
-  WallArray pooled(width, height, 1 << top_level);
+  WallArray pooled(width, height, (1 << std::max(top_level, top_band_level)) + 2 * kBandReach);
   for (const Cell& wall : walls) {
     if (wall.x >= 0 && wall.y >= 0 && wall.x < width && wall.y < height) {
       pooled.draw(wall.x, wall.y);
@@ -120,18 +121,26 @@ PrecomputedGrids::PrecomputedGrids(int width, int height, const std::vector<Cell
     first_wall_ = {std::min(first_wall_.x, wall.x), std::min(first_wall_.y, wall.y)};
     last_wall_ = {std::max(last_wall_.x, wall.x), std::max(last_wall_.y, wall.y)};
   }
+  WallArray band = pooled;
   for (int level = 0; level <= top_level; ++level) {
     if (level > 0) {
       pooled.growWindow(1 << (level - 1), 1 << level);
     }
     levels_.emplace_back(level, width, height, pooled);
   }
+  constexpr int kShift = 2 * kBandReach;
+  for (int level = 0; level <= top_band_level; ++level) {
+    band.growWindow(level == 0 ? 1 : (1 << (level - 1)) + kShift, (1 << level) + kShift);
+    band_levels_.emplace_back(level, width + kShift, height + kShift, band, kShift);
+  }
 }
 
 std::size_t PrecomputedGrids::bytes() const {
   std::size_t sum = 0;
-  for (const PooledLevel& level : levels_) {
-    sum += level.bytes();
+  for (const std::vector<PooledLevel>* levels : {&levels_, &band_levels_}) {
+    for (const PooledLevel& level : *levels) {
+      sum += level.bytes();
+    }
   }
   return sum;
 }

@@ -1,5 +1,5 @@
 /// \file
-/// What the threads of an exact search hunt for together.
+/// What the threads of a search hunt for together.
 #pragma once
 
 #include <algorithm>
@@ -17,8 +17,8 @@
 
 namespace map_matcher {
 
-/// A node of the exact search: poses first + [0, 2^level)^2 of the rotations rotation + [0, 2^level).
-struct ExactNode {
+/// A node of a search: poses first + [0, 2^level)^2 of one rotation, in the exact search of rotation + [0, 2^level).
+struct SearchNode {
   std::int32_t bound;  // no pose of the node has more matched cells
   int rotation;
   Cell first;
@@ -40,7 +40,7 @@ class Surroundings {
         squared_distance_(problem.distinction.distance * problem.distinction.distance) {}
 
   /// Whether every pose of the node lies around the winner.
-  bool holdAll(const ExactNode& node) const {
+  bool holdAll(const SearchNode& node) const {
     const int size = (1 << node.level) - 1;
     const double dx =
         std::max(std::abs(node.first.x - winner_.translation.x), std::abs(node.first.x + size - winner_.translation.x));
@@ -73,7 +73,7 @@ class Quarry {
 
   std::int32_t threshold() const { return threshold_.load(std::memory_order_relaxed); }
 
-  bool hopeless(const ExactNode& node) const {
+  bool hopeless(const SearchNode& node) const {
     const std::int32_t threshold = this->threshold();
     return node.bound < threshold || (node.bound == threshold && comesAfterBest(node)) ||
            (excluded_ && excluded_->holdAll(node));
@@ -94,7 +94,7 @@ class Quarry {
 
  private:
   /// Whether the best pose so far, of as many cells as the node's bound, comes before each pose of the node.
-  bool comesAfterBest(const ExactNode& node) const {
+  bool comesAfterBest(const SearchNode& node) const {
     const std::lock_guard<std::mutex> lock(mutex_);
     return best_ && !better({node.rotation, node.first, node.bound}, *best_);
   }

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "crew.hpp"
 #include "vector_clones.hpp"
 
 namespace map_matcher {
@@ -34,16 +35,17 @@ void turnToCells(const float* x, const float* y, std::size_t size, const Turn& t
 
 }  // namespace
 
-RotationBlocks::RotationBlocks(const SessionCells& session, double first_angle, double step, int count, int top_level)
+RotationBlocks::RotationBlocks(const SessionCells& session, double first_angle, double step, int count, int top_level,
+                               int threads)
     : session_(session), first_angle_(first_angle), step_(step), count_(count) {
   const double farthest = farthestPoint(session);
   if (!(step > 0.0 && step * farthest <= 0.5)) {
     throw std::invalid_argument("a rotation step of " + std::to_string(step) + " rad moves a session cell by " +
                                 std::to_string(step * farthest) + " cells, expected at most 0.5");
   }
-  for (int level = 1; level <= top_level; ++level) {
-    clusters_.push_back(clustersOf(session, BlockShape{level}));
-  }
+  clusters_.resize(static_cast<std::size_t>(top_level));
+  forEachOnThreads(threads, clusters_.size(),
+                   [&](std::size_t n) { clusters_[n] = clustersOf(session, BlockShape{static_cast<int>(n) + 1}); });
 }
 
 WeightedCells RotationBlocks::cells(const BlockShape& shape, int first_rotation) const {

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstring>
+
+#include "bit_adders.hpp"
 
 #if defined(__x86_64__) && defined(__GNUC__)
 #define MAP_MATCHER_X86 1
@@ -17,21 +18,18 @@ namespace {
 /// Cells that are counted before a hopeless tile is given up.
 constexpr std::size_t kChunk = 128;
 
-/// Cells that one tree of carry-save adders takes; a divisor of kChunk.
-constexpr std::size_t kTree = 16;
+/// Digits of a large tree of carry-save adders, for most of a chunk, and of a small one, for the rest. Beyond its own
+/// digits a tree carries through those in memory, which a large one does seldom.
+constexpr int kLargeTree = 6;
+constexpr int kSmallTree = 4;
 
 /// Binary digits of a count.
 constexpr int kMaxDigits = 32;
 
-constexpr std::size_t kTileBytes = kTileColumns * sizeof(TileWord);
-
-/// A bit for each translation of a tile.
-using TileBits = std::array<TileWord, kTileColumns>;
-
 /// Counts of all translations of a tile, one binary digit after the other.
 struct TileCounts {
   std::array<TileBits, kMaxDigits> digits;
-  int size = 0;  // digits in use
+  int size = 0;  // digits in use; those above, as many as a tree has, are zero
 };
 
 /// Up to kChunk cells and where their first translation lies.
@@ -44,99 +42,35 @@ struct Chunk {
   int digit;  // each cell counts 2^digit times
 };
 
-#define MAP_MATCHER_INLINE __attribute__((always_inline)) inline
-
-/// Vector types of GCC and clang: portable, and split by the compiler where the processor's registers are narrower.
-template <int kBytes>
-struct BitVector {
-  // NOLINTNEXTLINE(modernize-use-using): GCC ignores the attribute of a dependent type in an alias.
-  typedef std::uint64_t type __attribute__((vector_size(kBytes)));
-};
-
-/// The part of a tile's bits that begins at a byte.
-template <typename Vector>
-MAP_MATCHER_INLINE void load(const TileWord* words, std::size_t byte, Vector& vector) {
-  std::memcpy(&vector, reinterpret_cast<const unsigned char*>(words) + byte, sizeof(vector));
-}
-
-template <typename Vector>
-MAP_MATCHER_INLINE void store(const Vector& vector, std::size_t byte, TileWord* words) {
-  std::memcpy(reinterpret_cast<unsigned char*>(words) + byte, &vector, sizeof(vector));
-}
-
-/// Where the chunk's tiles begin, filled up to whole trees. Inlined into each variant, so that its vector instructions
-/// compute them. Returns how many there are.
+/// Where the chunk's tiles begin, filled up to whole small trees. Inlined into each variant, so that its vector
+/// instructions compute them. Returns how many there are.
 MAP_MATCHER_INLINE std::size_t computeAddresses(const Chunk& chunk, std::uint32_t* addresses) {
   const PooledLevel& level = *chunk.level;
   for (std::size_t k = 0; k < chunk.size; ++k) {
     addresses[k] = level.address(chunk.x[k] + chunk.first.x, chunk.y[k] + chunk.first.y);
   }
   std::size_t size = chunk.size;
-  for (; size % kTree != 0; ++size) {
+  for (; size % AdderTree<kSmallTree>::kTiles != 0; ++size) {
     addresses[size] = PooledLevel::emptyAddress();
   }
   return size;
 }
 
-/// A carry-save adder: sum and two more numbers of one digit become a sum and a carry.
-template <typename Vector>
-MAP_MATCHER_INLINE void addDigits(Vector& sum, Vector& carry, const Vector& a, const Vector& b) {
-  const Vector either = sum ^ a;
-  carry = (sum & a) | (either & b);
-  sum = either ^ b;
-}
-
-/// Adds the tiles of a chunk to the counts: each bit of a register is one translation, and a tree of carry-save adders
-/// takes kTree tiles with two or five operations each (Harley and Seal's population count; benchmark: BM_ScoreTile).
+/// Adds the tiles of a chunk to the counts: each bit of a register is one translation (benchmark: BM_ScoreTile).
 template <int kVectorBytes>
 MAP_MATCHER_INLINE void addTiles(const Chunk& chunk, TileCounts& counts) {
   using Vector = typename BitVector<kVectorBytes>::type;
   std::uint32_t addresses[kChunk];
   const std::size_t size = computeAddresses(chunk, addresses);
+  const std::size_t large_trees = size / AdderTree<kLargeTree>::kTiles;
+  const std::size_t rest = large_trees * AdderTree<kLargeTree>::kTiles;
+  const std::size_t small_trees = (size - rest) / AdderTree<kSmallTree>::kTiles;
   const TileWord* words = chunk.level->words();
   TileBits* digits = &counts.digits[static_cast<std::size_t>(chunk.digit)];
   const int num_digits = counts.size - chunk.digit;
   for (std::size_t part = 0; part < kTileBytes; part += kVectorBytes) {
-    Vector ones;
-    Vector twos;
-    Vector fours;
-    Vector eights;
-    load(digits[0].data(), part, ones);
-    load(digits[1].data(), part, twos);
-    load(digits[2].data(), part, fours);
-    load(digits[3].data(), part, eights);
-    for (std::size_t tree = 0; tree < size; tree += kTree) {
-      Vector eight[2];
-      for (std::size_t k = 0; k < 2; ++k) {
-        Vector four[2];
-        for (std::size_t l = 0; l < 2; ++l) {
-          Vector two[2];
-          for (std::size_t m = 0; m < 2; ++m) {
-            const std::uint32_t* address = addresses + tree + 8 * k + 4 * l + 2 * m;
-            Vector a;
-            Vector b;
-            load(words + address[0], part, a);
-            load(words + address[1], part, b);
-            addDigits(ones, two[m], a, b);
-          }
-          addDigits(twos, four[l], two[0], two[1]);
-        }
-        addDigits(fours, eight[k], four[0], four[1]);
-      }
-      Vector carry;
-      addDigits(eights, carry, eight[0], eight[1]);
-      for (int digit = 4; digit < num_digits; ++digit) {
-        Vector sum;
-        load(digits[digit].data(), part, sum);
-        const Vector next = sum & carry;
-        store(sum ^ carry, part, digits[digit].data());
-        carry = next;
-      }
-    }
-    store(ones, part, digits[0].data());
-    store(twos, part, digits[1].data());
-    store(fours, part, digits[2].data());
-    store(eights, part, digits[3].data());
+    addTrees<kLargeTree, Vector>(words, addresses, large_trees, part, digits, num_digits);
+    addTrees<kSmallTree, Vector>(words, addresses + rest, small_trees, part, digits, num_digits);
   }
 }
 
@@ -244,9 +178,8 @@ class TileCounting {
         total_(total),
         rest_(total),
         min_count_(std::max(0, min_count)) {
-    constexpr int kTreeDigits = 4;  // that a tree adds to, whatever the weight
-    counts_.size = std::min(kMaxDigits, numDigits(static_cast<std::uint32_t>(total)) + kTreeDigits);
-    std::fill_n(counts_.digits.begin(), counts_.size, TileBits{});
+    counts_.size = numDigits(static_cast<std::uint32_t>(total));
+    std::fill_n(counts_.digits.begin(), std::min(kMaxDigits, counts_.size + kLargeTree), TileBits{});
     const auto rows = static_cast<TileWord>((1U << static_cast<unsigned>(size.rows)) - 1U);
     std::fill_n(wanted_.begin(), size.columns, rows);
   }
@@ -285,6 +218,20 @@ class TileCounting {
     }
   }
 
+  /// The largest count: from the highest digit on, those translations stay in the running that have it, if any has.
+  std::int32_t best() const {
+    TileBits candidates = wanted_;
+    std::int32_t count = 0;
+    for (int digit = counts_.size - 1; digit >= 0; --digit) {
+      TileBits with = counts_.digits[static_cast<std::size_t>(digit)];
+      if (keep(candidates, with)) {
+        candidates = with;
+        count |= 1 << digit;
+      }
+    }
+    return count;
+  }
+
  private:
   /// Whether any wanted translation has that many already.
   bool anyReaches(std::int32_t number) {
@@ -292,10 +239,15 @@ class TileCounting {
       return false;
     }
     functions_.find_reaching(counts_, static_cast<std::uint32_t>(number), reaching_);
+    return keep(wanted_, reaching_);
+  }
+
+  /// Keeps of `bits` what is wanted as well; whether anything is.
+  static bool keep(const TileBits& wanted, TileBits& bits) {
     unsigned any = 0;
-    for (std::size_t column = 0; column < reaching_.size(); ++column) {
-      reaching_[column] = static_cast<TileWord>(reaching_[column] & wanted_[column]);
-      any |= reaching_[column];
+    for (std::size_t column = 0; column < bits.size(); ++column) {
+      bits[column] = static_cast<TileWord>(bits[column] & wanted[column]);
+      any |= bits[column];
     }
     return any != 0;
   }
@@ -350,6 +302,13 @@ void ScoreKernel::scoreTile(const PooledLevel& level, const WeightedCells& cells
     begin += run.size;
   }
   counting.collect(scores);
+}
+
+std::int32_t ScoreKernel::bestCount(const PooledLevel& level, const RotatedCells& cells, const Cell& first,
+                                    const TileSize& size) const {
+  TileCounting counting(*functions_, level, first, size, static_cast<std::int32_t>(cells.x.size()), 0);
+  counting.add(cells.x.data(), cells.y.data(), cells.x.size(), 1);
+  return counting.best();
 }
 
 }  // namespace map_matcher

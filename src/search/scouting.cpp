@@ -1,56 +1,72 @@
 #include "map_matcher/search/scouting.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
 
+#include "crew.hpp"
 #include "map_matcher/search/score_kernel.hpp"
 
 namespace map_matcher {
 namespace {
 
 /// At most `num_wanted` cells, equally spaced in the order of the cells.
-RotatedCells everyKth(const RotatedCells& cells, int num_wanted) {
+SessionCells everyKth(const SessionCells& session, int num_wanted) {
   const auto wanted = static_cast<std::size_t>(num_wanted);
-  const std::size_t step = std::max<std::size_t>(1, (cells.x.size() + wanted - 1) / wanted);
-  RotatedCells sample;
-  for (std::size_t k = 0; k < cells.x.size(); k += step) {
-    sample.x.push_back(cells.x[k]);
-    sample.y.push_back(cells.y[k]);
+  const std::size_t step = std::max<std::size_t>(1, (session.points.size() + wanted - 1) / wanted);
+  SessionCells sample;
+  for (std::size_t k = 0; k < session.points.size(); k += step) {
+    sample.points.push_back(session.points[k]);
   }
   return sample;
 }
 
-/// The most matches of the sample at any node of the window.
-std::int32_t bestCount(const PooledLevel& level, const RotatedCells& sample, const SearchWindow& window) {
+/// The most matches of a sample at any node of the band's windows, and the number of the band.
+struct Prospect {
+  std::int32_t matches = 0;
+  std::size_t band = 0;
+};
+
+std::int32_t mostMatches(const SearchProblem& problem, const RotationBand& band, const RotatedCells& sample,
+                         int min_count) {
   const ScoreKernel kernel;
-  std::vector<TileScore> scores;
-  std::int32_t best = 0;
+  SearchWindow window = reachableWindow(problem.reference, sample, min_count);
+  window = intersection(window, problem.windows[static_cast<std::size_t>(band.rotations.front())]);
+  const PooledLevel& level = problem.reference.level(problem.root_level);
+  std::int32_t most = 0;
   for (int y = window.first.y; y <= window.last.y; y += level.stride() * kTileRows) {
     for (int x = window.first.x; x <= window.last.x; x += level.stride() * kTileColumns) {
-      kernel.scoreTile(level, sample, {x, y}, {}, best + 1, scores);
-      for (const TileScore& score : scores) {
-        best = std::max(best, score.count);
-      }
+      const TileSize size = tileWithin(window.last, {x, y}, level.stride());
+      most = std::max(most, kernel.bestCount(level, sample, {x, y}, size));
     }
   }
-  return best;
+  return most;
 }
 
 }  // namespace
 
-std::vector<std::size_t> promisingFirst(const SearchProblem& problem, int num_cells, const Deadline& deadline) {
-  const PooledLevel& level = problem.reference.level(problem.root_level);
-  std::vector<std::size_t> order(problem.rotations.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::vector<std::int32_t> best(order.size(), 0);
-  for (std::size_t n = 0; n < order.size() && !deadline.passed(); n += 2) {  // the next rotation is much the same
-    const RotatedCells& cells = problem.rotations[n];
-    const SearchWindow reachable = reachableWindow(problem.reference, cells, problem.min_count);
-    best[n] = bestCount(level, everyKth(cells, num_cells), intersection(problem.windows[n], reachable));
-    best[std::min(n + 1, best.size() - 1)] = best[n];
+void putPromisingFirst(SearchProblem& problem, const SessionCells& session, int num_cells, const Deadline& deadline) {
+  const SessionCells sample = everyKth(session, num_cells);
+  const auto share = static_cast<double>(sample.points.size()) / static_cast<double>(session.points.size());
+  const auto min_count = static_cast<int>(share * problem.min_count);  // rounding is no matter: it decides nothing
+  std::vector<RotationBand>& bands = problem.bands;
+  std::vector<Prospect> prospects(bands.size());
+  forEachOnThreads(problem.threads, bands.size(), [&](std::size_t n) {
+    prospects[n].band = n;
+    if (!deadline.passed()) {
+      prospects[n].matches = mostMatches(problem, bands[n], rotate(sample, bands[n].middle), min_count);
+    }
+  });
+  std::stable_sort(prospects.begin(), prospects.end(),
+                   [](const Prospect& a, const Prospect& b) { return a.matches > b.matches; });
+  std::vector<RotationBand> ordered;
+  ordered.reserve(bands.size());
+  for (const Prospect& prospect : prospects) {
+    ordered.push_back(std::move(bands[prospect.band]));
   }
-  std::stable_sort(order.begin(), order.end(), [&best](std::size_t a, std::size_t b) { return best[a] > best[b]; });
-  return order;
+  bands = std::move(ordered);
 }
 
 }  // namespace map_matcher

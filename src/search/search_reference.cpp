@@ -40,7 +40,8 @@ SearchReference::SearchReference(const OccupancyGrid& reference, double resoluti
   }
   fine_.emplace(grid.width(), grid.height(), walls, kFineRootLevel);
   const OccupancyGrid coarse = resample(reference, coarse_resolution_);
-  coarse_.emplace(coarse.width(), coarse.height(), occupiedCells(coarse, threshold), kCoarseTopLevel);
+  coarse_.emplace(coarse.width(), coarse.height(), occupiedCells(coarse, threshold), kCoarseRootLevel,
+                  kCoarseTopBandLevel);
   for (std::future<void>& other : others) {
     other.get();
   }

@@ -89,12 +89,19 @@ SearchWindow intersection(const SearchWindow& a, const SearchWindow& b) {
           {std::min(a.last.x, b.last.x), std::min(a.last.y, b.last.y)}};
 }
 
-SearchWindow reachableWindow(const PrecomputedGrids& reference, const RotatedCells& cells, int min_matches) {
+SearchWindow hull(const SearchWindow& a, const SearchWindow& b) {
+  return {{std::min(a.first.x, b.first.x), std::min(a.first.y, b.first.y)},
+          {std::max(a.last.x, b.last.x), std::max(a.last.y, b.last.y)}};
+}
+
+SearchWindow reachableWindow(const PrecomputedGrids& reference, const RotatedCells& cells, int min_matches, int reach) {
   const Runs runs{{cells.x.size(), 1}};
   const auto total = static_cast<int>(cells.x.size());
   const int wanted = std::clamp(min_matches, 1, total);
-  const Range x = reachableRange(cells.x, runs, total, wanted, reference.firstWall().x, reference.lastWall().x, 1);
-  const Range y = reachableRange(cells.y, runs, total, wanted, reference.firstWall().y, reference.lastWall().y, 1);
+  const Cell first{reference.firstWall().x - reach, reference.firstWall().y - reach};
+  const Cell last{reference.lastWall().x + reach, reference.lastWall().y + reach};
+  const Range x = reachableRange(cells.x, runs, total, wanted, first.x, last.x, 1);
+  const Range y = reachableRange(cells.y, runs, total, wanted, first.y, last.y, 1);
   return {{x.first, y.first}, {x.last, y.last}};
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "map_matcher/search/branch_and_bound.hpp"
+#include "map_matcher/search/rotation_bands.hpp"
 #include "map_matcher/search/rotations.hpp"
 #include "map_matcher/search/scouting.hpp"
 #include "map_matcher/search/search_frames.hpp"
@@ -19,40 +20,25 @@ namespace {
 /// Fine searches around an answer on the edge of the window before it, after which the last answer stands.
 constexpr int kMaxFineSearches = 4;
 
-/// Session cells by which the rotations of the coarse stage are put in order.
+/// Session cells by which the bands of the coarse stage are put in order.
 constexpr int kScoutCells = 128;
 
 /// One stage with all that it reads and writes.
 struct Stage {
+  Stage(const char* name, const PrecomputedGrids& reference) : problem{reference, {}, {}, {}, 1, 0} {
+    report.name = name;
+    problem.cells = [this](int n) { return rotate(session, angles[static_cast<std::size_t>(n)]); };
+    problem.turned = [this](double angle) { return rotate(session, angle); };
+  }
+  Stage(const Stage&) = delete;
+  Stage& operator=(const Stage&) = delete;
+
   SessionCells session;
   std::vector<double> angles;  // of each rotation [rad]
   SearchProblem problem;
   SearchOutcome outcome;
   StageReport report;
 };
-
-/// Rotations that a stop cuts short stay empty; the search does not look at them then.
-void rotateCells(Stage& stage, const Deadline& deadline) {
-  stage.problem.rotations.assign(stage.angles.size(), {});
-  for (std::size_t n = 0; n < stage.angles.size() && !deadline.passed(); ++n) {
-    stage.problem.rotations[n] = rotate(stage.session, stage.angles[n]);
-  }
-}
-
-/// Puts the rotations of a stage into another order.
-void reorder(Stage& stage, const std::vector<std::size_t>& order) {
-  std::vector<double> angles;
-  std::vector<RotatedCells> rotations;
-  std::vector<SearchWindow> windows;
-  for (const std::size_t n : order) {
-    angles.push_back(stage.angles[n]);
-    rotations.push_back(std::move(stage.problem.rotations[n]));
-    windows.push_back(stage.problem.windows[n]);
-  }
-  stage.angles = std::move(angles);
-  stage.problem.rotations = std::move(rotations);
-  stage.problem.windows = std::move(windows);
-}
 
 /// Adds the outcome of a search to the stage's report.
 void record(Stage& stage, SearchOutcome outcome) {
@@ -92,13 +78,15 @@ class TwoStageSearch {
     if (!checkInput()) {
       return result_;
     }
-    Stage coarse = searchCoarse();
+    Stage coarse("coarse", reference_.coarse());
+    searchCoarse(coarse);
     result_.stages.push_back(coarse.report);
     if (!coarse.report.answered) {
       explainNoCoarseAnswer(coarse);
       return result_;
     }
-    Stage fine = searchFine(coarse);
+    Stage fine("fine", reference_.fine());
+    searchFine(fine, coarse);
     result_.stages.push_back(fine.report);
     if (fine.outcome.stopped) {
       stopped(fine);
@@ -131,39 +119,36 @@ class TwoStageSearch {
   }
 
   // Algorithm 1 over all rotations at the coarse resolution.
-  Stage searchCoarse() {
+  void searchCoarse(Stage& stage) {
     Stopwatch watch;
-    Stage stage{prepareSessionCells(session_.cells, session_.resolution, reference_.coarseResolution(),
-                                    CellMerging::kMerge, options_.hits_sample_threshold),
-                {},
-                SearchProblem{reference_.coarse(), {}, {}, {}, 1, SearchReference::kCoarseRootLevel},
-                {},
-                {}};
-    stage.report.name = "coarse";
+    stage.session = prepareSessionCells(session_.cells, session_.resolution, reference_.coarseResolution(),
+                                        CellMerging::kMerge, options_.hits_sample_threshold);
     stage.report.rotation_step = rotationStep(options_.coarse.rotation_downsampling, stage.session.diagonal);
     stage.angles = allRotations(options_.coarse.rotation_downsampling, stage.session.diagonal);  // eq. 4.2, 4.3
     stage.problem.min_count = minCount(options_.coarse.acceptance_ratio, static_cast<int>(stage.session.points.size()));
-    stage.problem.root_level = std::min(stage.problem.root_level, downsamplingSteps(stage.session));
+    stage.problem.root_level = std::min(SearchReference::kCoarseRootLevel, downsamplingSteps(stage.session));
+    stage.problem.threads = searchThreads(options_);
     applyHeadingPrior(stage);
-    rotateCells(stage, deadline_);
     for (const double angle : stage.angles) {
       stage.problem.windows.push_back(
           frames_.window(prior_.window, stage.session.centre, stage.session.resolution, angle));
     }
-    if (!prior_.heading) {
-      reorder(stage, promisingFirst(stage.problem, kScoutCells, deadline_));
+    stage.problem.bands = rotationBands(stage.session, stage.angles);
+    if (prior_.heading) {
+      putNearestFirst(stage.problem.bands);
+    } else {
+      putPromisingFirst(stage.problem, stage.session, kScoutCells, deadline_);
     }
     stage.report.initialization_time = watch.lap();
     record(stage, branchAndBound(stage.problem, deadline_));
-    return stage;
   }
 
   // Algorithm 1 again, at the map's own resolution, around the coarse answer (report section 3.2).
-  Stage searchFine(const Stage& coarse) {
+  void searchFine(Stage& stage, const Stage& coarse) {
     Stopwatch watch;
-    Stage stage{
-        session_.fine, {}, SearchProblem{reference_.fine(), {}, {}, {}, 1, SearchReference::kFineRootLevel}, {}, {}};
-    stage.report.name = "fine";
+    stage.session = session_.fine;
+    stage.problem.root_level = SearchReference::kFineRootLevel;
+    stage.problem.threads = searchThreads(options_);
     stage.problem.min_count = minCount(options_.fine.acceptance_ratio, static_cast<int>(stage.session.points.size()));
     const FineWindow window =
         fineWindow(coarse.session.resolution / stage.session.resolution, options_.coarse.rotation_downsampling,
@@ -182,12 +167,10 @@ class TwoStageSearch {
       }
       centre = poseOf(stage);
     }
-    return stage;
   }
 
   void placeWindow(Stage& stage, const CentrePose& centre, const FineWindow& window, double step) const {
     stage.angles = rotationsAround(centre.angle, window.rotation_half_width, step);
-    rotateCells(stage, deadline_);
     const Eigen::Vector2d middle = centre.position / stage.session.resolution;
     const Cell cell{static_cast<int>(std::lround(middle.x())), static_cast<int>(std::lround(middle.y()))};
     stage.problem.windows.assign(stage.angles.size(), {{cell.x - window.half_width, cell.y - window.half_width},
@@ -216,6 +199,15 @@ class TwoStageSearch {
                      [this](double a, double b) { return headingError(a) < headingError(b); });
     stage.problem.order.resize(angles.size());
     std::iota(stage.problem.order.begin(), stage.problem.order.end(), 0);
+  }
+
+  /// Puts the bands into the order of their nearest rotation; the rotations are in order already.
+  static void putNearestFirst(std::vector<RotationBand>& bands) {
+    const auto nearest = [](const RotationBand& band) {
+      return *std::min_element(band.rotations.begin(), band.rotations.end());
+    };
+    std::sort(bands.begin(), bands.end(),
+              [&](const RotationBand& a, const RotationBand& b) { return nearest(a) < nearest(b); });
   }
 
   double headingError(double angle) const { return frames_.headingError(*prior_.heading, angle); }

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "map_matcher/search/branch_and_bound.hpp"
+#include "map_matcher/search/scouting.hpp"
 #include "support/random_maps.hpp"
 
 namespace map_matcher {
@@ -28,7 +29,10 @@ struct RandomSearch {
     }
   }
 
-  SearchProblem problem(int root_level) const { return {grids[0], rotations, windows, {}, 1, root_level}; }
+  SearchProblem problem(int root_level) const {
+    const auto cells = [this](int n) { return rotations[static_cast<std::size_t>(n)]; };
+    return {grids[0], cells, windows, {}, 1, root_level};
+  }
 
   std::mt19937 random;
   std::vector<PrecomputedGrids> grids;
@@ -53,6 +57,64 @@ TEST(BranchAndBound, FindsWhatAnExhaustiveSearchFinds) {
       ASSERT_EQ(test::countMatches(search.grids[0].level(0), search.rotations[n], t), expected);
       ASSERT_TRUE(t.x >= search.windows[n].first.x && t.x <= search.windows[n].last.x);
       ASSERT_TRUE(t.y >= search.windows[n].first.y && t.y <= search.windows[n].last.y);
+    }
+  }
+}
+
+/// A random map and a session that turns, in bands of rotations.
+struct TurningSearch {
+  explicit TurningSearch(std::uint32_t seed) : random(seed) {
+    const int width = test::randomInt(random, 5, 60);
+    const int height = test::randomInt(random, 5, 60);
+    const std::vector<Cell> walls =
+        test::randomCells(random, width, height, test::randomInt(random, 10, width * height / 3));
+    grids.emplace_back(width, height, walls, kTopLevel, test::randomInt(random, 0, kTopLevel));
+    const int size = test::randomInt(random, 1, 12);
+    session = prepareSessionCells(test::randomCells(random, size, size, test::randomInt(random, 1, 60)), 0.05, 0.05,
+                                  CellMerging::kMerge, 0);
+    angles = allRotations(test::randomReal(random, 1.0, 4.0), session.diagonal);
+    for (const double angle : angles) {
+      rotations.push_back(rotate(session, angle));
+      const Cell first{test::randomInt(random, -30, 30), test::randomInt(random, -30, 30)};
+      windows.push_back(
+          {first, {first.x + test::randomInt(random, -1, 120), first.y + test::randomInt(random, -1, 120)}});
+    }
+  }
+
+  SearchProblem problem() {
+    const auto cells = [this](int n) { return rotations[static_cast<std::size_t>(n)]; };
+    SearchProblem problem{grids[0], cells, windows, {}, 1, test::randomInt(random, 0, kTopLevel)};
+    problem.bands = rotationBands(session, angles);
+    problem.turned = [this](double angle) { return rotate(session, angle); };
+    problem.threads = test::randomInt(random, 1, 3);
+    return problem;
+  }
+
+  std::mt19937 random;
+  std::vector<PrecomputedGrids> grids;
+  SessionCells session;
+  std::vector<double> angles;
+  std::vector<RotatedCells> rotations;
+  std::vector<SearchWindow> windows;
+};
+
+TEST(BranchAndBound, WithBandsOfRotationsAndThreadsFindsTheFirstOfTheBestPoses) {
+  for (std::uint32_t seed = 0; seed < 100; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    TurningSearch search(seed);
+    const SearchPose expected = test::firstOfTheBest(search.grids[0], search.rotations, search.windows);
+    SearchProblem problem = search.problem();
+    if (seed % 2 == 0) {
+      putPromisingFirst(problem, search.session, 16);
+    }
+
+    const SearchOutcome outcome = branchAndBound(problem);
+
+    ASSERT_EQ(outcome.best.has_value(), expected.count > 0);
+    if (outcome.best) {
+      ASSERT_EQ(outcome.best->count, expected.count);
+      ASSERT_EQ(outcome.best->rotation, expected.rotation);
+      ASSERT_EQ(outcome.best->translation, expected.translation);
     }
   }
 }
@@ -96,8 +158,8 @@ TEST(BranchAndBound, OrderOfTheInitialListDoesNotChangeTheScore) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const RandomSearch search(seed);
     SearchProblem ordered = search.problem(3);
-    for (std::size_t n = 0; n < ordered.rotations.size(); ++n) {
-      ordered.order.push_back(static_cast<std::int32_t>(ordered.rotations.size() - n));
+    for (std::size_t n = 0; n < search.rotations.size(); ++n) {
+      ordered.order.push_back(static_cast<std::int32_t>(search.rotations.size() - n));
     }
 
     const SearchOutcome by_order = branchAndBound(ordered);

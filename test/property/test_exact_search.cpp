@@ -90,7 +90,8 @@ TEST(ExactSearch, FindsWhatTryingAllPosesFindsWithAnyNumberOfThreadsAndEveryKern
 
     for (const KernelVariant variant : variants) {
       settings.kernel = ScoreKernel(variant);
-      settings.root_level = variant == variants.back() ? std::nullopt : std::make_optional(top_level);
+      const int root_level = test::randomInt(random.random, 0, top_level);
+      settings.root_level = variant == variants.back() ? std::nullopt : std::make_optional(root_level);
       settings.threads = 1 + static_cast<int>((seed + static_cast<std::uint32_t>(variant)) % 3);
       problem.known_count =
           seed % 4 == 0 && expected.best ? expected.best->count - test::randomInt(random.random, 0, 2) : 0;

@@ -56,6 +56,25 @@ TEST(ScoreKernel, CountsEveryTranslationOfATileAsOneByOneInEveryVariant) {
   }
 }
 
+TEST(ScoreKernel, BestCountIsTheLargestOfAllInEveryVariant) {
+  for (const KernelVariant variant : availableKernelVariants()) {
+    const ScoreKernel kernel(variant);
+    for (std::uint32_t seed = 0; seed < 100; ++seed) {
+      SCOPED_TRACE(testing::Message() << "variant " << static_cast<int>(variant) << " seed " << seed);
+      Problem problem(seed);
+      const PooledLevel& level = problem.grids[0].level(static_cast<int>(seed % 4));
+      const TileSize size{test::randomInt(problem.random, 1, kTileColumns),
+                          test::randomInt(problem.random, 1, kTileRows)};
+      std::vector<TileScore> scores;
+      kernel.scoreTile(level, problem.cells, problem.first, size, 0, scores);
+      const auto best = std::max_element(scores.begin(), scores.end(),
+                                         [](const TileScore& a, const TileScore& b) { return a.count < b.count; });
+
+      EXPECT_EQ(kernel.bestCount(level, problem.cells, problem.first, size), best->count);
+    }
+  }
+}
+
 TEST(ScoreKernel, CountsWeightedCellsAsOftenAsTheyWeighInEveryVariant) {
   for (const KernelVariant variant : availableKernelVariants()) {
     const ScoreKernel kernel(variant);

@@ -29,6 +29,28 @@ TEST(SearchWindow, HoldsEveryTranslationThatCanMatchEnough) {
   }
 }
 
+TEST(SearchWindow, HoldsEveryTranslationThatCanMatchEnoughNearTheWalls) {
+  for (std::uint32_t seed = 0; seed < 50; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    const PrecomputedGrids reference(30, 20, test::randomCells(random, 30, 20, 40), 0, 0);
+    const RotatedCells cells = test::randomRotatedCells(random, 15, 12);
+    const int min_matches = test::randomInt(random, 1, 12);
+
+    const SearchWindow window = reachableWindow(reference, cells, min_matches, kBandReach);
+
+    for (int y = -50; y < 70; ++y) {
+      for (int x = -50; x < 80; ++x) {
+        const bool inside = x >= window.first.x && x <= window.last.x && y >= window.first.y && y <= window.last.y;
+        if (!inside) {
+          const Cell position = PrecomputedGrids::bandPosition({x, y});
+          ASSERT_LT(test::countMatches(reference.bandLevel(0), cells, position), min_matches) << x << ", " << y;
+        }
+      }
+    }
+  }
+}
+
 TEST(SearchWindow, ForEveryCellIsNoLargerThanTheWalls) {
   const PrecomputedGrids reference(10, 10, {{2, 3}, {6, 3}, {2, 8}}, 0);
   RotatedCells cells;

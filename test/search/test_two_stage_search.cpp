@@ -77,10 +77,9 @@ TEST(TwoStageSearch, FineStageIsAsGoodAsASearchOfAMuchLargerWindow) {
     const SessionCells cells = prepareSessionCells(occupiedCells(session), 0.05, 0.05, CellMerging::kNone, 0);
     SearchProblem problem{reference.fine(), {}, {}, {}, 1, SearchReference::kFineRootLevel};
     const double step = rotationStep(1.0, cells.diagonal);
-    for (const double angle : rotationsAround(result.T_reference_session.yaw, 24.0 * step, step)) {
-      problem.rotations.push_back(rotate(cells, angle));
-      problem.windows.push_back({{-400, -400}, {800, 800}});
-    }
+    const std::vector<double> angles = rotationsAround(result.T_reference_session.yaw, 24.0 * step, step);
+    problem.cells = [&](int n) { return rotate(cells, angles[static_cast<std::size_t>(n)]); };
+    problem.windows.assign(angles.size(), {{-400, -400}, {800, 800}});
     EXPECT_EQ(branchAndBound(problem).best->count, result.matched_cells);
   }
 }

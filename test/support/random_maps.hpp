@@ -9,6 +9,7 @@
 
 #include "map_matcher/grid/grid_geometry.hpp"
 #include "map_matcher/grid/occupancy_grid.hpp"
+#include "map_matcher/search/branch_and_bound.hpp"
 #include "map_matcher/search/precomputed_grids.hpp"
 #include "map_matcher/search/rotations.hpp"
 #include "map_matcher/search/search_window.hpp"
@@ -62,18 +63,27 @@ inline std::int32_t countMatches(const PooledLevel& level, const RotatedCells& c
   return count;
 }
 
-/// The most matches of any rotation and translation of the windows, by trying all of them.
-inline std::int32_t exhaustiveBest(const PrecomputedGrids& reference, const std::vector<RotatedCells>& rotations,
-                                   const std::vector<SearchWindow>& windows) {
-  std::int32_t best = 0;
+/// The first, by rotation, y and x, of the poses of the windows with the most matches, by trying all of them.
+inline SearchPose firstOfTheBest(const PrecomputedGrids& reference, const std::vector<RotatedCells>& rotations,
+                                 const std::vector<SearchWindow>& windows) {
+  SearchPose best;
   for (std::size_t n = 0; n < rotations.size(); ++n) {
     for (int y = windows[n].first.y; y <= windows[n].last.y; ++y) {
       for (int x = windows[n].first.x; x <= windows[n].last.x; ++x) {
-        best = std::max(best, countMatches(reference.level(0), rotations[n], {x, y}));
+        const std::int32_t count = countMatches(reference.level(0), rotations[n], {x, y});
+        if (count > best.count) {
+          best = {static_cast<int>(n), {x, y}, count};
+        }
       }
     }
   }
   return best;
+}
+
+/// The most matches of any rotation and translation of the windows, by trying all of them.
+inline std::int32_t exhaustiveBest(const PrecomputedGrids& reference, const std::vector<RotatedCells>& rotations,
+                                   const std::vector<SearchWindow>& windows) {
+  return firstOfTheBest(reference, rotations, windows).count;
 }
 
 /// Walls of a building whose rooms are of random sizes: no two places of it look alike.

@@ -3,11 +3,13 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
 #include "map_matcher/search/deadline.hpp"
 #include "map_matcher/search/precomputed_grids.hpp"
+#include "map_matcher/search/rotation_bands.hpp"
 #include "map_matcher/search/rotations.hpp"
 #include "map_matcher/search/search_window.hpp"
 
@@ -16,18 +18,23 @@ namespace map_matcher {
 /// One search: which rotation and whole-cell translation put the most session cells on walls.
 struct SearchProblem {
   const PrecomputedGrids& reference;
-  /// The session cells under each rotation; all of the same, non-zero number. They are scored in this order: the sooner
-  /// a good one comes, the sooner the others are given up.
-  std::vector<RotatedCells> rotations;
+  /// The session cells under a rotation, for all the same, non-zero number. Called when they are needed, by each
+  /// thread.
+  std::function<RotatedCells(int)> cells;
   std::vector<SearchWindow> windows;  ///< Translations to look at under each rotation.
   std::vector<std::int32_t> order;    ///< Rank of each rotation in the initial node list; empty: by score alone.
   std::int32_t min_count = 1;         ///< Fewest matched cells that are an answer: the initial threshold.
   int root_level = 0;                 ///< Level of the initial nodes, at most the reference's top level.
+  /// Bands of all rotations, in the order in which they are scored: the sooner a good one comes, the sooner the others
+  /// are given up. Empty: rotations are scored one by one.
+  std::vector<RotationBand> bands{};
+  std::function<RotatedCells(double)> turned{};  ///< The session cells turned by an angle [rad]; called for bands.
+  int threads = 1;                               ///< At least 1. The answer is the same with any number.
 };
 
 /// A pose of the search.
 struct SearchPose {
-  int rotation = 0;        ///< Index into SearchProblem::rotations.
+  int rotation = 0;        ///< Index into SearchProblem::windows.
   Cell translation;        ///< [cells of the stage]
   std::int32_t count = 0;  ///< Matched session cells.
 };
@@ -42,8 +49,8 @@ struct SearchOutcome {
   double depth_first_search_time = 0.0;  ///< From line 11 on [s].
 };
 
-/// Finds the pose with the most matched cells. Among equal ones the first in the order of the search wins, which is the
-/// same on every run.
+/// Finds the pose with the most matched cells. Among equal ones the first by rotation, then y, then x, wins, so that
+/// the answer does not depend on the number of threads or the order of work.
 SearchOutcome branchAndBound(const SearchProblem& problem, const Deadline& deadline = Deadline());
 
 }  // namespace map_matcher

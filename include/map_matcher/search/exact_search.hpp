@@ -35,7 +35,8 @@ struct ExactProblem {
 /// How a search is done; nothing here changes its answer, unless the deadline passes.
 struct ExactSettings {
   int threads = 1;                ///< At least 1.
-  std::optional<int> root_level;  ///< Level of the initial nodes, at most that of the reference; else the cheapest.
+  std::optional<int> root_level;  ///< Level of the initial nodes, at most that of the reference, with a look at nodes
+                                  ///< one level above if there are any; else the cheapest.
   Deadline deadline;
   ScoreKernel kernel;
 };

@@ -31,7 +31,7 @@ struct MatchOptions {
   double distinct_angle = 0.2;     ///< [rad] as are headings farther apart.
   bool follow_alignment = true;    ///< Exact: whether the margin may be missed where MatchPrior::alignment is met.
   bool confirm_relocation = true;  ///< Exact: whether it takes two maps to give up MatchPrior::alignment.
-  int threads = 2;                 ///< Exact: threads that search; 0 = as many as the processor has.
+  int threads = 2;                 ///< Threads that search; 0 = as many as the processor has.
   int hits_sample_threshold = 0;   ///< [cells] Session cells looked at in each stage, chosen reproducibly; 0 = all.
   int min_session_cells = 100;     ///< [cells] Session maps with fewer occupied cells are not matched.
   int occupied_threshold = 65;     ///< [percent] Occupancy from which a cell is a wall.
@@ -42,6 +42,9 @@ struct MatchOptions {
 /// Smallest share of hits that the exact search takes for an answer: the larger one of coarse.acceptance_ratio and
 /// min_hit_ratio. The acceptance ratio is meant for cells on walls, and more of them lie near walls than on them.
 double smallestHitRatio(const MatchOptions& options);
+
+/// MatchOptions::threads, or as many as the processor has.
+int searchThreads(const MatchOptions& options);
 
 /// Fewest of `num_cells` that are a share of `ratio`, at least 1.
 int minCount(double ratio, int num_cells);

@@ -100,18 +100,28 @@ class PooledLevel {
   std::vector<TileWord> words_;
 };
 
+/// How far a session cell may lie, along an axis, from the cell that stands for it in a band of rotations [cells].
+constexpr int kBandReach = 1;
+
 /// All levels of a reference map of one resolution. Immutable, hence thread-safe.
 class PrecomputedGrids {
  public:
-  /// Pools the walls of a grid of width x height cells for the levels 0 to `top_level`. Walls outside the grid are
-  /// ignored. Throws std::invalid_argument for a size below 1 x 1, a level outside [0, 15], or a map whose levels would
+  /// Pools the walls of a grid of width x height cells for the levels 0 to `top_level`, and for bands of rotations for
+  /// the levels 0 to `top_band_level`, if that is not negative. Walls outside the grid are ignored. Throws
+  /// std::invalid_argument for a size below 1 x 1, a level above 15, a negative top_level, or a map whose levels would
   /// take more than 4 GiB each.
-  PrecomputedGrids(int width, int height, const std::vector<Cell>& walls, int top_level);
+  PrecomputedGrids(int width, int height, const std::vector<Cell>& walls, int top_level, int top_band_level = -1);
 
   int width() const { return width_; }    ///< [cells]
   int height() const { return height_; }  ///< [cells]
   int topLevel() const { return static_cast<int>(levels_.size()) - 1; }
   const PooledLevel& level(int level) const { return levels_[static_cast<std::size_t>(level)]; }
+
+  /// Like level(), but windows reach kBandReach cells farther on all sides. The value at bandPosition({x, y}) tells
+  /// whether a wall lies in [x - kBandReach, x + 2^level + kBandReach), y alike.
+  const PooledLevel& bandLevel(int level) const { return band_levels_[static_cast<std::size_t>(level)]; }
+  int topBandLevel() const { return static_cast<int>(band_levels_.size()) - 1; }
+  static Cell bandPosition(const Cell& first) { return {first.x + kBandReach, first.y + kBandReach}; }
 
   /// Smallest box of cells that holds all walls; without walls it is empty: last < first.
   const Cell& firstWall() const { return first_wall_; }  ///< Lower left cell of the box.
@@ -124,6 +134,7 @@ class PrecomputedGrids {
   Cell first_wall_;
   Cell last_wall_;
   std::vector<PooledLevel> levels_;
+  std::vector<PooledLevel> band_levels_;
 };
 
 }  // namespace map_matcher

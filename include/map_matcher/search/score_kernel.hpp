@@ -57,6 +57,10 @@ class ScoreKernel {
   void scoreTile(const PooledLevel& level, const WeightedCells& cells, const Cell& first, const TileSize& size,
                  std::int32_t min_count, std::vector<TileScore>& scores) const;
 
+  /// The largest count of a tile, the same as that of all its scores.
+  std::int32_t bestCount(const PooledLevel& level, const RotatedCells& cells, const Cell& first,
+                         const TileSize& size) const;
+
   struct Functions;
 
  private:

@@ -19,7 +19,7 @@ class SearchReference {
   /// Highest levels of the initial nodes. The report starts at H of eq. 4.1, where a node is as wide as the session
   /// map; nodes so wide match nearly every cell and none is pruned, so that starting here gives the same answer sooner.
   static constexpr int kCoarseRootLevel = 2;
-  static constexpr int kCoarseTopLevel = 4;  ///< Above, for passing over empty parts of large maps.
+  static constexpr int kCoarseTopBandLevel = 4;  ///< For passing over empty parts of large maps.
   static constexpr int kFineRootLevel = 0;
 
   /// Pools `reference` at `resolution` [m] (its own, or a coarser one when the session map is coarser) for the fine

@@ -28,9 +28,14 @@ constexpr SearchWindow everywhere() {
 /// Translations that both windows hold.
 SearchWindow intersection(const SearchWindow& a, const SearchWindow& b);
 
+/// Smallest window that holds both; {everywhere().last, everywhere().first} is the empty one to begin with.
+SearchWindow hull(const SearchWindow& a, const SearchWindow& b);
+
 /// Smallest window that holds every translation at which at least `min_matches` of the rotated cells lie within the
-/// bounding box of the reference's walls. No translation outside it can match as many, so nothing is lost.
-SearchWindow reachableWindow(const PrecomputedGrids& reference, const RotatedCells& cells, int min_matches);
+/// bounding box of the reference's walls, or at most `reach` cells beside it. No translation outside it can match as
+/// many, so nothing is lost.
+SearchWindow reachableWindow(const PrecomputedGrids& reference, const RotatedCells& cells, int min_matches,
+                             int reach = 0);
 
 /// The same for the cells of a node of the exact search: a window for the translations at which any pose of the node
 /// has at least `min_matches`.
