@@ -6,7 +6,8 @@ UNKNOWN = ("particles", "updates", "update_time")  # columns of Monte-Carlo loca
 PARAMETERS = {"max_particles": 10000, "odom_alpha1": 0.01, "odom_alpha2": 0.001, "odom_alpha3": 0.003,
               "odom_alpha4": 0.0005}
 SENTENCE = "amcl itself, with 10000 particles, the true noise of the odometry and its own defaults otherwise, got the " \
-           "same drives through `replay_amcl.launch`; it is looked at whenever it has updated its particles. " \
+           "same drives through `replay_amcl.launch`; it is looked at whenever it has updated its particles, " \
+           "and a start in which it never did, since the robot stood still, is not counted. " \
            "[amcl.csv](amcl.csv)"
 LEFT_OUT = "amcl itself is left out; `--amcl` adds it where it is installed."
 
