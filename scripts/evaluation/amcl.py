@@ -1,5 +1,6 @@
 """amcl without a prior, through replay of the drives of the cold starts."""
 import cold_starts
+import office
 
 RATE = 2.0  # times faster than driven, which amcl follows with so many particles
 UNKNOWN = ("particles", "updates", "update_time")  # columns of Monte-Carlo localization that amcl does not tell
@@ -15,10 +16,7 @@ LEFT_OUT = "amcl itself is left out; `--amcl` adds it where it is installed."
 def plan(runs, arguments):
     """Runs by density and kind of scans."""
     config = runs.write_config("amcl", **PARAMETERS)
-    office = cold_starts.map_file(arguments)
-    map_file = office or runs.path("amcl_office.yaml")
-    if not office:
-        runs.add("amcl_office", "generate_building", ["--output", map_file], [map_file])
+    map_file = office.map_file(runs, arguments)
     replays = {}
     for density, seed, simulation in cold_starts.simulations(arguments):
         name = "amcl_%g_%d" % (density, seed)

@@ -1,5 +1,6 @@
 """Report figure 20: cold starts in crowds of growing density, with original and with scrubbed scans."""
 import matplotlib.pyplot as plt
+import office
 from pages import COLUMNS, arguments_of, draw_map, picture, save, section, table, write_table
 
 NAME = "cold_starts"
@@ -11,15 +12,9 @@ VARIANTS = ("original", "scrubbed")
 COLOURS = {"correct": "tab:green", "wrong": "tab:red", "none": "0.6"}
 
 
-def map_file(arguments):
-    """The map that is driven in; None: the generated office."""
-    office = arguments.data / "maps/asl_office.yaml"
-    return office if office.exists() else None
-
-
 def simulations(arguments):
     """Density, seed and arguments of each simulated drive."""
-    world = ["--map", map_file(arguments)] if map_file(arguments) else []
+    world = office.world(arguments)
     for density in (0, 1) if arguments.quick else (0, 0.3, 0.6, 1, 2, 3):
         duration = 60 if arguments.quick else 300 if density <= DENSE else 150
         for seed in (1,) if arguments.quick or density >= 1 else (1, 2):
@@ -36,7 +31,7 @@ def plan(runs, arguments):
                 runs.drive("cold_starts_%g_%s_%d" % (density, variant, seed), [
                     *simulation, "--mapper-config", config, "--restart-interval", INTERVAL,
                     *(["--scrub"] if variant == "scrubbed" else [])], monte_carlo=True))
-    return drives, map_file(arguments)
+    return drives, office.recorded_map(arguments)
 
 
 def starts_of(run):

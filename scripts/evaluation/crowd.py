@@ -3,6 +3,7 @@ import math
 import shutil
 
 import matplotlib.pyplot as plt
+import office
 from pages import (COLUMNS, absolute, arguments_of, picture, plot_match, plot_times, save, section, stage_time, table,
                    write_table)
 from runs import Statistics
@@ -28,8 +29,7 @@ REPORT = {  # table 1: mean, standard deviation, least, largest
 
 
 def plan(runs, arguments):
-    office = arguments.data / "maps/asl_office.yaml"
-    world = ["--map", office] if office.exists() else []
+    world = office.world(arguments)
     config = runs.write_config("crowd_mapper", delta=0.02, map_update_interval=5.0)
     trials = {variant: [] for variant in VARIANTS}
     drives = []
@@ -42,21 +42,19 @@ def plan(runs, arguments):
                 *world, *drive, "--mapper-config", config, "--first-overlay", runs.path(name + "_first.png"),
                 "--last-overlay", runs.path(name + "_last.png"), *(["--scrub"] if variant == "scrubbed" else [])]))
     if arguments.mapper:
-        trials.update(plan_replays(runs, arguments, world, drives))
+        trials.update(plan_replays(runs, arguments, drives))
     return runs, trials, bool(world)
 
 
-def plan_replays(runs, arguments, world, drives):
+def plan_replays(runs, arguments, drives):
     """The same drives through the nodes with slam_gmapping, which takes the scans of one lidar; the session maps that
     it drew are then matched as those of session_mapper are."""
     config = runs.write_config("crowd_gmapping", **GMAPPING_PARAMETERS)
-    map_file = world[1] if world else runs.path("crowd_office.yaml")
-    if not world:
-        runs.add("crowd_office", "generate_building", ["--output", map_file], [map_file])
+    map_file = office.map_file(runs, arguments)
     trials = {variant: [] for variant in GMAPPING}
     for name, drive in drives:
         bag = runs.path(name + ".bag")
-        runs.add(name + "_bag", "simulate_drive", [*world, *drive, "--bag", bag], [bag])
+        runs.add(name + "_bag", "simulate_drive", [*office.world(arguments), *drive, "--bag", bag], [bag])
         for variant, is_scrubbed in GMAPPING.items():
             replay = name + "_gmapping" + ("_scrubbed" if is_scrubbed else "")
             scrubbing = ["scrub:=true", "detections:=[dr_spaam_detections/front]"] if is_scrubbed else []
