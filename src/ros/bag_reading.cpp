@@ -4,6 +4,8 @@
 #include <map_matcher/PersonDetections.h>
 #include <rosbag/view.h>
 
+#include <algorithm>
+
 #include "map_matcher/ros/conversions.hpp"
 #include "map_matcher/ros/detection_messages.hpp"
 
@@ -33,26 +35,26 @@ std::string listed(const BagTopics& topics) {
   return text.empty() ? "nothing" : text;
 }
 
-std::string chooseTopic(const std::string& bag, const BagTopics& topics, const std::string& asked) {
-  for (const std::string& name : {asked, "/" + asked}) {
-    if (topics.count(name) > 0) {
-      return name;
-    }
+std::string chooseTopic(const std::string& bag, const BagTopics& topics, const std::string& asked,
+                        const std::vector<std::string>& types) {
+  const auto found = topics.count(asked) > 0 ? topics.find(asked) : topics.find("/" + asked);
+  if (found == topics.end()) {
+    throw BagError("bag '" + bag + "' has no topic '" + asked + "'; it has " + listed(topics));
   }
-  throw BagError("bag '" + bag + "' has no topic '" + asked + "'; it has " + listed(topics));
+  if (!types.empty() && std::find(types.begin(), types.end(), found->second) == types.end()) {
+    std::string expected;
+    for (const std::string& type : types) {
+      expected += (expected.empty() ? "" : " or ") + type;
+    }
+    throw BagError("topic '" + found->first + "' of bag '" + bag + "' is " + found->second + ", expected " + expected +
+                   "; the bag has " + listed(topics));
+  }
+  return found->first;
 }
 
 std::string chooseScanTopic(const std::string& bag, const BagTopics& topics, const std::string& asked) {
   if (!asked.empty()) {
-    const auto found = topics.count(asked) > 0 ? topics.find(asked) : topics.find("/" + asked);
-    if (found == topics.end()) {
-      throw BagError("bag '" + bag + "' has no topic '" + asked + "'; it has " + listed(topics));
-    }
-    if (found->second != kScanType) {
-      throw BagError("topic '" + found->first + "' of bag '" + bag + "' is " + found->second + ", expected " +
-                     kScanType + "; the bag has " + listed(topics));
-    }
-    return found->first;
+    return chooseTopic(bag, topics, asked, {kScanType});
   }
   BagTopics scans;
   for (const auto& [topic, type] : topics) {
@@ -73,14 +75,9 @@ std::string chooseScanTopic(const std::string& bag, const BagTopics& topics, con
 std::vector<std::string> chooseDetectionTopics(const std::string& bag, const BagTopics& topics,
                                                const std::vector<std::string>& asked) {
   std::vector<std::string> chosen;
+  chosen.reserve(asked.size());
   for (const std::string& name : asked) {
-    const std::string topic = chooseTopic(bag, topics, name);
-    const std::string& type = topics.at(topic);
-    if (type != kPosesType && type != kDetectionsType) {
-      throw BagError("topic '" + topic + "' of bag '" + bag + "' is " + type + ", expected " + kPosesType + " or " +
-                     kDetectionsType + "; the bag has " + listed(topics));
-    }
-    chosen.push_back(topic);
+    chosen.push_back(chooseTopic(bag, topics, name, {kPosesType, kDetectionsType}));
   }
   return chosen;
 }

@@ -33,17 +33,10 @@ class BagSessionMaps {
       : request_(request), matching_(matching) {
     openBag(bag_, request.bag);
     const BagTopics topics = topicsOf(bag_);
-    map_topic_ = chooseTopic(request.bag, topics, request.map_topic);
-    if (topics.at(map_topic_) != kMapType) {
-      throw BagError("topic '" + map_topic_ + "' of bag '" + request.bag + "' is " + topics.at(map_topic_) +
-                     ", expected " + kMapType + "; the bag has " + listed(topics));
-    }
+    map_topic_ = chooseTopic(request.bag, topics, request.map_topic, {kMapType});
     requireTransforms(request.bag, topics, request.odom_frame);
-    if (!request.truth_topic.empty()) {
-      truth_.emplace(
-          bag_, request.bag,
-          BagTruthRequest{request.truth_topic, request.truth_frame, {request.odom_frame, request.base_frame}});
-    }
+    truth_ = readTruth(bag_, request.bag,
+                       {request.truth_topic, request.truth_frame, {request.odom_frame, request.base_frame}});
   }
 
   BagSessionMapsResult run() {

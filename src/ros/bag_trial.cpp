@@ -34,11 +34,8 @@ class BagTrial {
     scan_topic_ = chooseScanTopic(request.bag, topics, request.scan_topic);
     detection_topics_ = chooseDetectionTopics(request.bag, topics, request.detection_topics);
     requireTransforms(request.bag, topics, request.odom_frame);
-    if (!request.truth_topic.empty()) {
-      truth_.emplace(
-          bag_, request.bag,
-          BagTruthRequest{request.truth_topic, request.truth_frame, {request.odom_frame, request.base_frame}});
-    }
+    truth_ = readTruth(bag_, request.bag,
+                       {request.truth_topic, request.truth_frame, {request.odom_frame, request.base_frame}});
   }
 
   BagTrialResult run() {

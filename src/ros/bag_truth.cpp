@@ -29,11 +29,7 @@ void checkFrame(const std::string& frame, const std::string& topic, const BagTru
 
 BagTruth::BagTruth(const rosbag::Bag& bag, const std::string& path, const BagTruthRequest& request) {
   const BagTopics topics = topicsOf(bag);
-  const std::string topic = chooseTopic(path, topics, request.topic);
-  if (topics.at(topic) != kTruthType) {
-    throw BagError("topic '" + topic + "' of bag '" + path + "' is " + topics.at(topic) + ", expected " + kTruthType +
-                   "; the bag has " + listed(topics));
-  }
+  const std::string topic = chooseTopic(path, topics, request.topic, {kTruthType});
   std::string frame;
   rosbag::View view(bag, rosbag::TopicQuery(topic));
   for (const rosbag::MessageInstance& message : view) {
@@ -50,6 +46,10 @@ BagTruth::BagTruth(const rosbag::Bag& bag, const std::string& path, const BagTru
   if (poses_.empty()) {
     throw BagError("topic '" + topic + "' of bag '" + path + "' holds no message, expected true poses");
   }
+}
+
+std::optional<BagTruth> readTruth(const rosbag::Bag& bag, const std::string& path, const BagTruthRequest& request) {
+  return request.topic.empty() ? std::nullopt : std::optional<BagTruth>(BagTruth(bag, path, request));
 }
 
 std::optional<Rigid2> BagTruth::at(double time) const {

@@ -31,8 +31,10 @@ BagTopics topicsOf(const rosbag::Bag& bag);
 /// "/odom (nav_msgs/Odometry), /scan (sensor_msgs/LaserScan)"; "nothing" when there is none.
 std::string listed(const BagTopics& topics);
 
-/// A topic by its name with or without the leading slash. Throws BagError when there is none; `bag` names the bag.
-std::string chooseTopic(const std::string& bag, const BagTopics& topics, const std::string& asked);
+/// A topic by its name with or without the leading slash. Throws BagError when there is none, or it has none of the
+/// `types`, if any are given; `bag` names the bag.
+std::string chooseTopic(const std::string& bag, const BagTopics& topics, const std::string& asked,
+                        const std::vector<std::string>& types = {});
 
 /// The topic of the scans: the one asked for, with or without its leading slash, or when that is empty the only one of
 /// type sensor_msgs/LaserScan. Throws BagError when there is none or no telling which. `bag` names the bag.

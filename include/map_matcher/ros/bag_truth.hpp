@@ -35,4 +35,7 @@ class BagTruth {
   std::map<double, Rigid2> poses_;  // by the stamp [s]
 };
 
+/// The true poses of a topic; nothing when no topic is asked for.
+std::optional<BagTruth> readTruth(const rosbag::Bag& bag, const std::string& path, const BagTruthRequest& request);
+
 }  // namespace map_matcher
