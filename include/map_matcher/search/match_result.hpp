@@ -56,9 +56,9 @@ struct RunnerUp {
 struct MatchResult {
   MatchStatus status = MatchStatus::kNoReference;
   std::string reason;  ///< One sentence with the figures behind the status.
-  Rigid2
-      T_reference_session;  ///< p_reference = T_reference_session * p_session; valid when kMatched. When
-                            ///< kNotCertified, kAmbiguous or kUnconfirmed: the best pose so far, not to be relied on.
+  /// p_reference = T_reference_session * p_session; valid when kMatched. When kNotCertified, kAmbiguous or
+  /// kUnconfirmed: the best pose so far, not to be relied on.
+  Rigid2 T_reference_session;
   std::optional<Rigid2> searched;  ///< The same in whole cells and rotation steps, before it was moved by less than a
                                    ///< cell to where it fits best; nothing unless that was done.
   /// Of (x, y, yaw) of T_reference_session [m, m, rad], when kMatched: from the curvature around the refined pose, or
