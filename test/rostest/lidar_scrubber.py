@@ -25,8 +25,9 @@ class LidarScrubber(unittest.TestCase):
         self.scan = rospy.Publisher("scan", LaserScan, queue_size=100)
         self.front = rospy.Publisher("front_detections", geometry_msgs.msg.PoseArray, queue_size=100)
         self.rear = rospy.Publisher("rear_detections", PersonDetections, queue_size=100)
-        wait_until(lambda: all(p.get_num_connections() > 0 for p in (self.scan, self.front, self.rear)) and
-                   self.scrubbed._subscriber.get_num_connections() > 0, "connections to the scrubber")
+        wait_until(lambda: all(p.get_num_connections() > 0 for p in (self.scan, self.front, self.rear)),
+                   "connections to the scrubber")
+        self.scrubbed.wait_until_served()
         # A second after everything that came before: no detection of another test applies.
         LidarScrubber.stamp = max(rospy.Time.now(), (LidarScrubber.stamp or rospy.Time()) + rospy.Duration(1.0))
         self.pass_through(scan_message(self.next_stamp()))
@@ -199,8 +200,8 @@ class LidarScrubber(unittest.TestCase):
     def test_removed_points_and_circles_are_shown(self):
         points = Listener("removed_points", PointCloud2)
         circles = Listener("removal_circles", Marker)
-        wait_until(lambda: points._subscriber.get_num_connections() > 0 and
-                   circles._subscriber.get_num_connections() > 0, "connections of the display")
+        points.wait_until_served()
+        circles.wait_until_served()
         out = self.scrub_after(self.front, pose_array(self.next_stamp(), [(RANGE, 0.0)]))
 
         cloud = points.wait_for(lambda m: m.header.stamp == out.header.stamp and m.width > 0, "removed points")

@@ -3,8 +3,10 @@ import math
 import threading
 import time
 import unittest
+import xmlrpc.client
 
 import geometry_msgs.msg
+import rosgraph
 import rosgraph_msgs.msg
 import rospy
 import tf2_msgs.msg
@@ -50,6 +52,22 @@ class Listener:
     def clear(self):
         with self._changed:
             self.messages = []
+
+    def wait_until_served(self):
+        """Waits until a publisher of the topic would send to this listener. The listener's own count of connections
+        rises before that: what is published between the two is lost."""
+        wait_until(self._is_served, "%s is served" % self._subscriber.resolved_name)
+
+    def _is_served(self):
+        master = rosgraph.Master(rospy.get_name())
+        publishers = dict(master.getSystemState()[0]).get(self._subscriber.resolved_name, [])
+        return any(self._is_served_by(master.lookupNode(publisher)) for publisher in publishers)
+
+    def _is_served_by(self, publisher_uri):
+        own_name, topic = rospy.get_name(), self._subscriber.resolved_name
+        connections = xmlrpc.client.ServerProxy(publisher_uri).getBusInfo(own_name)[2]
+        return any((peer, direction, name) == (own_name, "o", topic)
+                   for _, peer, direction, _, name, *_ in connections)
 
 
 class NodeFixture(unittest.TestCase):

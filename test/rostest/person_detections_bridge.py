@@ -37,8 +37,8 @@ class PersonDetectionsBridge(unittest.TestCase):
         message = types[definition[0]]()
         message.header.frame_id, message.header.stamp = "laser", rospy.Time(12, 345)
         fill(message, types)
-        wait_until(lambda: publisher.get_num_connections() > 0 and out._subscriber.get_num_connections() > 0,
-                   "connections to the bridge")
+        wait_until(lambda: publisher.get_num_connections() > 0, "a connection to the bridge")
+        out.wait_until_served()
         publisher.publish(message)
         answer = out.wait_for(lambda m: m.header.stamp == rospy.Time(12, 345), "detections")
         publisher.unregister()

@@ -17,8 +17,9 @@ class StrictLidarScrubber(unittest.TestCase):
         self.scrubbed = Listener("strict/scan_scrubbed", LaserScan)
         self.scan = rospy.Publisher("strict/scan", LaserScan, queue_size=100)
         self.front = rospy.Publisher("strict/front_detections", geometry_msgs.msg.PoseArray, queue_size=100)
-        wait_until(lambda: self.scan.get_num_connections() > 0 and self.front.get_num_connections() > 0 and
-                   self.scrubbed._subscriber.get_num_connections() > 0, "connections to the scrubber")
+        wait_until(lambda: self.scan.get_num_connections() > 0 and self.front.get_num_connections() > 0,
+                   "connections to the scrubber")
+        self.scrubbed.wait_until_served()
 
     def test_scans_wait_for_their_own_detections(self):
         self.front.publish(pose_array(rospy.Time.now(), []))
