@@ -57,6 +57,12 @@ void AlignmentBroadcaster::set(const Alignment& alignment) {
 void AlignmentBroadcaster::clear() {
   const std::lock_guard<std::mutex> lock(mutex_);
   alignment_.reset();
+  contested_ = false;
+}
+
+bool AlignmentBroadcaster::isContested() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return contested_;
 }
 
 void AlignmentBroadcaster::broadcast(const ros::Time& now) {
@@ -65,7 +71,8 @@ void AlignmentBroadcaster::broadcast(const ros::Time& now) {
     return;
   }
   geometry_msgs::TransformStamped transform = transformOf(*alignment_, mode_);
-  if (isContested(transform, now)) {
+  lookForOthers(transform, now);
+  if (contested_) {
     return;
   }
   transform.header.stamp = now + transform_tolerance_;
@@ -79,7 +86,7 @@ void AlignmentBroadcaster::onTf(const TfEvent& event, bool is_static) {
   }
 }
 
-bool AlignmentBroadcaster::isContested(const geometry_msgs::TransformStamped& transform, const ros::Time& now) {
+void AlignmentBroadcaster::lookForOthers(const geometry_msgs::TransformStamped& transform, const ros::Time& now) {
   const std::optional<FrameParent> other = others_.parentOf(transform.child_frame_id, now);
   if (other && !contested_) {
     ROS_ERROR_STREAM(
@@ -94,7 +101,6 @@ bool AlignmentBroadcaster::isContested(const geometry_msgs::TransformStamped& tr
                                    << transform.child_frame_id << " is broadcast again");
   }
   contested_ = other.has_value();
-  return contested_;
 }
 
 }  // namespace map_matcher

@@ -28,6 +28,9 @@ MapMatcherServer::MapMatcherServer(ros::NodeHandle node, ros::NodeHandle private
     reference_source_.load(options.reference_map_file, options.reference_frame);
   }
   services_.emplace(node, private_node, options.match, serviceActions());
+  diagnostics_.emplace(
+      node, private_node, [this] { return diagnosticState(); }, session_subscriber_.getTopic(),
+      reference_source_.topic());
   tick_timer_ = node.createTimer(ros::Duration(1.0 / options.tf_rate), [this](const ros::TimerEvent&) { onTick(); });
   waiting_timer_ = node.createWallTimer(ros::WallDuration(kWaitingPeriod),
                                         [this](const ros::WallTimerEvent&) { tellWhatIsMissing(); });
@@ -38,6 +41,8 @@ void MapMatcherServer::onSessionMap(const nav_msgs::OccupancyGridConstPtr& messa
   followClock(ros::Time::now());
   const std::lock_guard<std::mutex> lock(mutex_);
   session_ = message;
+  ++record_.session_maps;
+  record_.last_session_map = ros::Time::now();
   submitMatch(nullptr);
 }
 
@@ -83,6 +88,11 @@ MatchServices::Actions MapMatcherServer::serviceActions() {
   return actions;
 }
 
+MatchDiagnostics::State MapMatcherServer::diagnosticState() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return {record_, reference_, broadcaster_.isContested(), dropped_session_maps_, reference_source_.dropped()};
+}
+
 std::optional<std::future<MapMatch>> MapMatcherServer::matchSession() {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!session_) {
@@ -125,6 +135,7 @@ void MapMatcherServer::conclude(const nav_msgs::OccupancyGridConstPtr& session, 
   remember(session, report);
   dropped_session_maps_ += isUnusable(report) ? 1 : 0;
   complete(report);
+  record_.add(report);
   map_match_publisher_.publish(report);
   if (report.status == MapMatch::MATCHED) {
     broadcaster_.set({report.reference_frame, report.session_frame, {report.x, report.y, report.yaw}});
@@ -178,6 +189,7 @@ bool MapMatcherServer::followClock(const ros::Time& now) {
     const std::lock_guard<std::mutex> lock(mutex_);
     session_.reset();
     last_valid_session_.reset();
+    record_ = {};
     dropAlignment();
   }
   return tick != RisingClock::Tick::kHeld;
@@ -186,6 +198,7 @@ bool MapMatcherServer::followClock(const ros::Time& now) {
 void MapMatcherServer::dropAlignment() {
   alignment_dropped_ = true;
   memory_.clear();
+  record_.forgetMatch();
   worker_.cancel();
   broadcaster_.clear();
   pose_publisher_.clear();

@@ -1,15 +1,17 @@
 #include "map_matcher/ros/scrubber_diagnostics.hpp"
 
+#include "map_matcher/ros/diagnostic_levels.hpp"
+
 namespace map_matcher {
 namespace {
 
 using diagnostic_updater::DiagnosticStatusWrapper;
+using diagnostics::kError;
+using diagnostics::kOk;
+using diagnostics::kWarn;
 
 constexpr double kScanSilence = 2.0;  // [s] without a scan that is an error
 const ros::WallDuration kReportPeriod(1.0);
-constexpr unsigned char kOk = diagnostic_msgs::DiagnosticStatus::OK;
-constexpr unsigned char kWarn = diagnostic_msgs::DiagnosticStatus::WARN;
-constexpr unsigned char kError = diagnostic_msgs::DiagnosticStatus::ERROR;
 
 std::int64_t countOf(const ScanRecord& record, PosePath path) { return record.paths[static_cast<std::size_t>(path)]; }
 

@@ -2,9 +2,10 @@
 """A session frame that already has a parent is an error that is told, not a fight."""
 import rospy
 import tf2_msgs.msg
+from diagnostic_msgs.msg import DiagnosticStatus
 
 from building import reference_map, session_map
-from node_fixture import NodeFixture, is_between, run, stamped_transform, wait_until
+from node_fixture import NodeFixture, is_between, run, stamped_transform, wait_for_diagnostic, wait_until
 
 START = (12.3, 7.1, 0.7)  # T_reference_session
 PERIOD = 0.05  # [s], of the other node's transforms
@@ -29,6 +30,8 @@ class ForeignParent(NodeFixture):
         self.tf.wait_for(lambda tf: len(self.tf.messages) >= 20, "transforms")
         self.assertFalse([t for tf in self.tf.messages for t in tf.transforms if is_between(t, "map", "session_map")])
         self.assertEqual(len([line for line in self.log.messages if "already has the parent" in line.msg]), 1)
+        wait_for_diagnostic("map_matcher: alignment",
+                            lambda s: s.level == DiagnosticStatus.ERROR and "another node gives" in s.message)
 
         sending.shutdown()
 

@@ -7,13 +7,13 @@ import geometry_msgs.msg
 import rospy
 import rostest
 import tf2_ros
-from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
+from diagnostic_msgs.msg import DiagnosticStatus
 from nav_msgs.msg import OccupancyGrid
 from sensor_msgs.msg import LaserScan, PointCloud2
 from visualization_msgs.msg import Marker
 
 from map_matcher.msg import PersonDetections
-from node_fixture import Listener, broadcast_static, stamped_transform, wait_until
+from node_fixture import Listener, broadcast_static, stamped_transform, wait_for_diagnostic, wait_until
 from people_in_scans import (BEAMS, INTERVAL, RANGE, beams_near, pose_array, removed_beams, scan_message,
                              scored_detections)
 
@@ -55,12 +55,6 @@ class LidarScrubber(unittest.TestCase):
             if removed_beams(out):
                 return out
         raise AssertionError("nothing was removed")
-
-    def diagnostic(self, name, condition):
-        diagnostics = Listener("/diagnostics", DiagnosticArray)
-        message = diagnostics.wait_for(
-            lambda array: any(s.name == name and condition(s) for s in array.status), "diagnostic of " + name)
-        return next(s for s in message.status if s.name == name)
 
     def test_points_near_people_are_removed_and_nothing_else(self):
         out = self.scrub_after(self.front, pose_array(self.next_stamp(), [(RANGE, 0.0), (0.0, RANGE)]))
@@ -149,7 +143,7 @@ class LidarScrubber(unittest.TestCase):
             values = {v.key: v.value for v in status.values}
             return int(values["bad messages"]) >= 2 and int(values["detections left out"]) >= 3
 
-        self.diagnostic("lidar_scrubber: detections front_detections", counted)
+        wait_for_diagnostic("lidar_scrubber: detections front_detections", counted)
         self.assertFalse(removed_beams(self.pass_through(scan_message(self.next_stamp()))))
 
     def test_ten_thousand_detections_delay_nothing(self):
@@ -166,7 +160,7 @@ class LidarScrubber(unittest.TestCase):
             return any(v.key == "scans passed as they were" and int(v.value) > 0 for v in status.values)
 
         wait_until(lambda: self.pass_through(scan_message(LidarScrubber.stamp)) and True, "scan")
-        self.diagnostic("lidar_scrubber: scrubbing", passed)
+        wait_for_diagnostic("lidar_scrubber: scrubbing", passed)
         self.scrubbed.clear()
         self.assertFalse(removed_beams(self.pass_through(scan_message(LidarScrubber.stamp))))
 
@@ -184,18 +178,19 @@ class LidarScrubber(unittest.TestCase):
         stamps = [out.header.stamp for out in self.scrubbed.messages]
         for bad in (empty, inconsistent, no_number):
             self.assertNotIn(bad.header.stamp, stamps)
-        self.diagnostic("lidar_scrubber: scans", lambda s: any(v.key == "dropped" and int(v.value) >= 3 for v in s.values))
+        wait_for_diagnostic("lidar_scrubber: scans",
+                            lambda s: any(v.key == "dropped" and int(v.value) >= 3 for v in s.values))
 
     def test_a_detector_that_says_nothing_is_told(self):
-        self.diagnostic("lidar_scrubber: detections rear_detections",
-                        lambda s: s.level == DiagnosticStatus.WARN and "silent for" in s.message)
-        self.diagnostic("lidar_scrubber: detections rear_detections",
-                        lambda s: s.level == DiagnosticStatus.ERROR and "silent for" in s.message)
+        wait_for_diagnostic("lidar_scrubber: detections rear_detections",
+                            lambda s: s.level == DiagnosticStatus.WARN and "silent for" in s.message)
+        wait_for_diagnostic("lidar_scrubber: detections rear_detections",
+                            lambda s: s.level == DiagnosticStatus.ERROR and "silent for" in s.message)
 
     def test_an_empty_array_says_that_the_detector_is_alive(self):
         self.front.publish(pose_array(self.next_stamp(), []))
 
-        self.diagnostic("lidar_scrubber: detections front_detections", lambda s: s.level == DiagnosticStatus.OK)
+        wait_for_diagnostic("lidar_scrubber: detections front_detections", lambda s: s.level == DiagnosticStatus.OK)
 
     def test_removed_points_and_circles_are_shown(self):
         points = Listener("removed_points", PointCloud2)

@@ -11,6 +11,7 @@ import rosgraph_msgs.msg
 import rospy
 import tf2_msgs.msg
 import tf2_ros
+from diagnostic_msgs.msg import DiagnosticArray
 from nav_msgs.msg import OccupancyGrid
 
 from map_matcher.msg import MapMatch
@@ -122,6 +123,15 @@ def wait_until(condition, what, deadline=DEADLINE):
         if time.monotonic() > end:
             raise AssertionError("not within %g s: %s" % (deadline, what))
         time.sleep(0.01)
+
+
+def wait_for_diagnostic(name, condition):
+    """The values of the first status of this name on /diagnostics that fulfils the condition."""
+    diagnostics = Listener("/diagnostics", DiagnosticArray)
+    array = diagnostics.wait_for(lambda message: any(s.name == name and condition(s) for s in message.status),
+                                 "diagnostic of " + name)
+    status = next(s for s in array.status if s.name == name)
+    return {pair.key: pair.value for pair in status.values}
 
 
 def stamped_transform(parent, child, pose, stamp):

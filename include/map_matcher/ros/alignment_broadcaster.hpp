@@ -49,11 +49,14 @@ class AlignmentBroadcaster {
   /// Sends the alignment once, if there is one; `now` rises strictly from call to call, except after clear().
   void broadcast(const ros::Time& now);
 
+  /// Whether there was nothing sent at the last broadcast(), since another node gives the child frame a parent.
+  bool isContested();
+
  private:
   using TfEvent = ros::MessageEvent<const tf2_msgs::TFMessage>;
 
   void onTf(const TfEvent& event, bool is_static);
-  bool isContested(const geometry_msgs::TransformStamped& transform, const ros::Time& now);
+  void lookForOthers(const geometry_msgs::TransformStamped& transform, const ros::Time& now);
 
   const TfMode mode_;
   const ros::Duration transform_tolerance_;

@@ -14,6 +14,7 @@
 
 #include "map_matcher/ros/alignment_broadcaster.hpp"
 #include "map_matcher/ros/map_matcher_server_options.hpp"
+#include "map_matcher/ros/match_diagnostics.hpp"
 #include "map_matcher/ros/match_pose_publisher.hpp"
 #include "map_matcher/ros/match_services.hpp"
 #include "map_matcher/ros/overlay_publisher.hpp"
@@ -44,6 +45,7 @@ class MapMatcherServer {
   void tellWhatIsMissing();
 
   MatchServices::Actions serviceActions();
+  MatchDiagnostics::State diagnosticState();
   std::optional<std::future<MapMatch>> matchSession();
   void submitMatch(const Answer& answer);
   MatchPrior priorFor(const nav_msgs::OccupancyGrid& session);
@@ -60,6 +62,7 @@ class MapMatcherServer {
   ReferenceMapPtr reference_;
   SessionMemory memory_;  // of the maps in memory_frame_
   std::string memory_frame_;
+  MatchRecord record_;
   bool alignment_dropped_ = false;  // and no valid session map was matched since
   std::atomic<std::uint32_t> dropped_session_maps_{0};
   std::uint8_t last_status_ = MapMatch::STOPPED;  // the worker's
@@ -76,6 +79,7 @@ class MapMatcherServer {
   ros::Timer tick_timer_;
   ros::WallTimer waiting_timer_;
   std::optional<MatchServices> services_;
+  std::optional<MatchDiagnostics> diagnostics_;
 };
 
 }  // namespace map_matcher
