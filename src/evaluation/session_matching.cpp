@@ -17,7 +17,9 @@ SessionMatching::SessionMatching(const OccupancyGrid& reference, const MatchOpti
 }
 
 void SessionMatching::match(OccupancyGrid map, TrialQuery query) {
-  query.result = matcher_.match(map, memory_.prior());
+  MatchPrior prior = memory_.prior();
+  prior.robot = query.T_session_base.translation();
+  query.result = matcher_.match(map, prior);
   memory_.add(query.result);
   if (query.result.matched()) {
     const Rigid2& T_reference_session = query.result.T_reference_session;

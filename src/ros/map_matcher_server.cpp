@@ -114,14 +114,18 @@ void MapMatcherServer::submitMatch(const Answer& answer) {
   });
 }
 
-/// What earlier maps of the same frame say.
+/// What earlier maps of the same frame say, and where tf has the robot.
 MatchPrior MapMatcherServer::priorFor(const nav_msgs::OccupancyGrid& session) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (memory_frame_ != session.header.frame_id) {
     memory_.clear();
     memory_frame_ = session.header.frame_id;
   }
-  return memory_.prior();
+  MatchPrior prior = memory_.prior();
+  if (const std::optional<Rigid2> T_session_base = pose_publisher_.newestPose(frameName(session.header.frame_id))) {
+    prior.robot = T_session_base->translation();
+  }
+  return prior;
 }
 
 void MapMatcherServer::conclude(const nav_msgs::OccupancyGridConstPtr& session, SessionMatch& match,
@@ -141,6 +145,9 @@ void MapMatcherServer::conclude(const nav_msgs::OccupancyGridConstPtr& session, 
     broadcaster_.set({report.reference_frame, report.session_frame, {report.x, report.y, report.yaw}});
     pose_publisher_.request(report, report.header.stamp);
     overlay_publisher_.publish(match);
+  } else if (report.status == MapMatch::ROBOT_ASTRAY) {
+    broadcaster_.clear();
+    pose_publisher_.clear();
   }
   tell(report);
 }
@@ -165,6 +172,8 @@ void MapMatcherServer::tell(const MapMatch& report) {
                                          << report.reason);
   } else if (report.status == MapMatch::EQUAL_FRAMES && last_status_ != MapMatch::EQUAL_FRAMES) {
     ROS_ERROR_STREAM(report.reason);
+  } else if (report.status == MapMatch::ROBOT_ASTRAY && last_status_ != MapMatch::ROBOT_ASTRAY) {
+    ROS_ERROR_STREAM("the alignment is no longer broadcast: " << report.reason);
   } else if (isUnusable(report)) {
     ROS_WARN_STREAM_THROTTLE(kWarningPeriod, "session map on " << session_subscriber_.getTopic() << " dropped ("
                                                                << report.dropped_session_maps

@@ -15,6 +15,11 @@ using diagnostics::kWarn;
 
 const ros::WallDuration kReportPeriod(1.0);
 
+/// Whether the report says that something is wrong, and not only that more has to be seen.
+bool isError(const MapMatch& report) {
+  return report.status == MapMatch::EQUAL_FRAMES || report.status == MapMatch::ROBOT_ASTRAY;
+}
+
 double ageOf(const ros::Time& time) { return (ros::Time::now() - time).toSec(); }
 
 }  // namespace
@@ -24,9 +29,12 @@ void MatchRecord::add(const MapMatch& report) {
   if (report.status == MapMatch::MATCHED) {
     last_match = report;
     reports_since = 0;
-  } else {
-    ++reports_since;
+    return;
   }
+  if (report.status == MapMatch::ROBOT_ASTRAY) {
+    last_match.reset();
+  }
+  ++reports_since;
 }
 
 void MatchRecord::forgetMatch() {
@@ -88,8 +96,8 @@ void MatchDiagnostics::reportAlignment(DiagnosticStatusWrapper& status) const {
   const MatchRecord& record = state_.record;
   const std::optional<MapMatch>& match = record.last_match;
   const std::string reason = record.last_report ? record.last_report->reason : "";
-  if (record.last_report && record.last_report->status == MapMatch::EQUAL_FRAMES) {
-    status.summary(kError, reason);
+  if (record.last_report && isError(*record.last_report)) {
+    status.summary(kError, "none: " + reason);
   } else if (!match) {
     status.summary(kWarn, reason.empty() ? "none yet" : "none yet: " + reason);
   } else if (state_.contested) {

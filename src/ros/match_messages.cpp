@@ -28,6 +28,8 @@ std::uint8_t statusConstant(MatchStatus status) {
       return MapMatch::AMBIGUOUS;
     case MatchStatus::kUnconfirmed:
       return MapMatch::UNCONFIRMED;
+    case MatchStatus::kRobotAstray:
+      return MapMatch::ROBOT_ASTRAY;
     case MatchStatus::kStopped:
       break;
   }
@@ -80,6 +82,8 @@ void fillCertificate(MapMatch& message, const MatchResult& result) {
     message.runner_up_ratio = result.runner_up->ratio;
   }
   message.margin = result.margin;
+  message.nearby_cells = result.nearby.cells;
+  message.nearby_ratio = result.nearby.ratio();
 }
 
 }  // namespace

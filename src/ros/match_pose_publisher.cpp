@@ -38,6 +38,15 @@ void MatchPosePublisher::clear() {
   pending_.reset();
 }
 
+std::optional<Rigid2> MatchPosePublisher::newestPose(const std::string& session_frame) const {
+  try {
+    return fromMessage(buffer_.lookupTransform(session_frame, base_frame_, ros::Time()).transform,
+                       "the robot's pose on tf");
+  } catch (const std::exception&) {  // tf2::TransformException or MessageError
+    return std::nullopt;
+  }
+}
+
 void MatchPosePublisher::publishPending(const ros::Time& now) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!pending_) {

@@ -5,6 +5,7 @@
 
 #include "map_matcher/parameters/option_check.hpp"
 #include "map_matcher/search/certification.hpp"
+#include "map_matcher/search/robot_surroundings.hpp"
 #include "map_matcher/search/search_reference.hpp"
 #include "map_matcher/search/stopwatch.hpp"
 #include "map_matcher/search/two_stage_search.hpp"
@@ -54,6 +55,7 @@ MatchResult MapMatcher::match(const OccupancyGrid& session, const MatchPrior& pr
   MatchResult result = twoStageSearch(*search_reference_, search_session, options_, prior, deadline);
   if (exact) {
     result = certify(result, *search_reference_, search_session, options_, prior, deadline);
+    checkRobot(result, *search_reference_, search_session, options_, prior);
   }
   result.search_time = watch.lap();
   result.reference_time = reference_time_;

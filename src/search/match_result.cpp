@@ -24,6 +24,8 @@ const char* toString(MatchStatus status) {
       return "ambiguous";
     case MatchStatus::kUnconfirmed:
       return "unconfirmed";
+    case MatchStatus::kRobotAstray:
+      return "robot_astray";
   }
   return "unknown";
 }

@@ -7,6 +7,11 @@ void SessionMemory::add(const MatchResult& result) {
     case MatchStatus::kMatched:
       prior_.alignment = result.T_reference_session;
       prior_.contender.reset();
+      prior_.robot_astray = false;
+      break;
+    case MatchStatus::kRobotAstray:
+      prior_.contender.reset();
+      prior_.robot_astray = true;
       break;
     case MatchStatus::kUnconfirmed:
       prior_.contender = result.T_reference_session;

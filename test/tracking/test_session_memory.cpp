@@ -30,7 +30,8 @@ TEST(SessionMemory, KeepsTheLastAcceptedAlignment) {
 
 TEST(SessionMemory, KeepsAContenderUntilTheNextAnswerOfASearch) {
   for (const MatchStatus status : {MatchStatus::kMatched, MatchStatus::kBelowAcceptanceRatio,
-                                   MatchStatus::kNotCertified, MatchStatus::kAmbiguous}) {
+                                   MatchStatus::kNotCertified, MatchStatus::kAmbiguous,
+                                   MatchStatus::kRobotAstray}) {
     SessionMemory memory;
     memory.add(answer(MatchStatus::kMatched, 1.0));
     memory.add(answer(MatchStatus::kUnconfirmed, 7.0));
@@ -44,6 +45,20 @@ TEST(SessionMemory, KeepsAContenderUntilTheNextAnswerOfASearch) {
     memory.add(answer(status, 3.0));
     EXPECT_FALSE(memory.prior().contender.has_value()) << toString(status);
   }
+}
+
+TEST(SessionMemory, KnowsThatTheRobotWasLostUntilAMapFitsAroundIt) {
+  SessionMemory memory;
+  memory.add(answer(MatchStatus::kMatched, 1.0));
+  EXPECT_FALSE(memory.prior().robot_astray);
+
+  memory.add(answer(MatchStatus::kRobotAstray, 2.0));
+  memory.add(answer(MatchStatus::kAmbiguous, 3.0));
+  EXPECT_TRUE(memory.prior().robot_astray);
+  EXPECT_EQ(memory.prior().alignment->x, 1.0);
+
+  memory.add(answer(MatchStatus::kMatched, 1.0));
+  EXPECT_FALSE(memory.prior().robot_astray);
 }
 
 TEST(SessionMemory, ForgetsAll) {

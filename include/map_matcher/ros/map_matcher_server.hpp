@@ -29,8 +29,9 @@ namespace map_matcher {
 /// Matches every session map to the reference map on a worker thread, the newest first, and publishes what came of it
 /// (names: names.hpp). A match that is accepted is broadcast on tf until a later one replaces it; one that fails is
 /// told on `map_match` and changes nothing else, but that a place other than that of earlier maps has to be found
-/// twice. The alignment is dropped when the reference map is replaced and when time goes back, which means that a bag
-/// loops and the mapper may have started anew.
+/// twice. The alignment is taken off tf when the map fits but for where the robot is, until one fits there as well. It
+/// is dropped when the reference map is replaced and when time goes back, which means that a bag loops and the mapper
+/// may have started anew.
 class MapMatcherServer {
  public:
   /// Throws std::exception, with the name of the file or the option, when one cannot be used.

@@ -11,6 +11,8 @@
 #include <optional>
 #include <string>
 
+#include "map_matcher/grid/rigid2.hpp"
+
 namespace map_matcher {
 
 /// Publishes, for each accepted match, where the robot was in the reference map at the stamp of the session map. That
@@ -28,6 +30,9 @@ class MatchPosePublisher {
 
   /// Forgets a pose that waits.
   void clear();
+
+  /// T_session_base by the newest transforms on tf; nothing when tf does not know it.
+  std::optional<Rigid2> newestPose(const std::string& session_frame) const;
 
   /// Publishes the pose that waits if tf allows; to be called again and again.
   void publishPending(const ros::Time& now);

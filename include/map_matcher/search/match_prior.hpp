@@ -32,6 +32,10 @@ struct MatchPrior {
   /// T_reference_session of the session map before, which was at odds with `alignment` (MatchStatus::kUnconfirmed): a
   /// best place that agrees with it is believed, with MatchOptions::confirm_relocation.
   std::optional<Rigid2> contender;
+  /// Where the robot is in the session map [m, session map frame]: a map that fits elsewhere only is
+  /// MatchStatus::kRobotAstray.
+  std::optional<Eigen::Vector2d> robot;
+  bool robot_astray = false;  ///< Whether that was the answer for the last map of the session that fitted.
 };
 
 }  // namespace map_matcher

@@ -24,6 +24,7 @@ enum class MatchStatus {
   kNotCertified,          ///< The deadline came before the proof that no pose is better, or none elsewhere as good.
   kAmbiguous,             ///< A place elsewhere matches nearly as well.
   kUnconfirmed,           ///< The place is good enough, but another than that of an earlier map of the session.
+  kRobotAstray,           ///< The map fits, but not where the robot is.
 };
 
 /// The status in snake_case, as JSON output and messages have it ("matched", "below_acceptance_ratio", ...).
@@ -52,12 +53,20 @@ struct RunnerUp {
   double ratio = 0.0;          ///< Its hits / session cells, to compare with MatchResult::hit_ratio.
 };
 
+/// Session cells around the robot.
+struct Surroundings {
+  int cells = 0;  ///< [cells]
+  int hits = 0;   ///< Those within hit_tolerance of a wall [cells].
+
+  double ratio() const { return cells > 0 ? static_cast<double>(hits) / cells : 0.0; }  ///< 0 without any cell.
+};
+
 /// The answer of MapMatcher::match.
 struct MatchResult {
   MatchStatus status = MatchStatus::kNoReference;
   std::string reason;  ///< One sentence with the figures behind the status.
-  /// p_reference = T_reference_session * p_session; valid when kMatched. When kNotCertified, kAmbiguous or
-  /// kUnconfirmed: the best pose so far, not to be relied on.
+  /// p_reference = T_reference_session * p_session; valid when kMatched. When kNotCertified, kAmbiguous,
+  /// kUnconfirmed or kRobotAstray: the best pose so far, not to be relied on.
   Rigid2 T_reference_session;
   std::optional<Rigid2> searched;  ///< The same in whole cells and rotation steps, before it was moved by less than a
                                    ///< cell to where it fits best; nothing unless that was done.
@@ -79,6 +88,8 @@ struct MatchResult {
   double upper_bound = 1.0;           ///< No pose has a larger hit ratio; equal to hit_ratio when kMatched.
   std::optional<RunnerUp> runner_up;  ///< The best place elsewhere, unless it is worse by more than min_margin.
   double margin = 0.0;                ///< hit_ratio less that of the runner-up; without one, margin is at least this.
+
+  Surroundings nearby;  ///< With MatchPrior::robot and an exact search, of a map that fits; else without cells.
 
   std::vector<StageReport> stages;  ///< Coarse, fine, exact; empty when no stage ran.
   double search_time = 0.0;         ///< The whole match without reference_time [s].

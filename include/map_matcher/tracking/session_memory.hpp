@@ -7,7 +7,8 @@
 
 namespace map_matcher {
 
-/// Keeps the alignment of the last accepted map, and the place of one that was at odds with it. Not thread-safe.
+/// Keeps the alignment of the last accepted map, the place of one that was at odds with it, and whether the robot was
+/// lost. Not thread-safe.
 class SessionMemory {
  public:
   /// What the session's next map is matched with.
