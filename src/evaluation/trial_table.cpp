@@ -62,7 +62,7 @@ constexpr const char* kHeader =
     "certified,hit_ratio,upper_bound,margin,exact_time,"
     "alignment_x,alignment_y,alignment_yaw,alignment_x_error,alignment_y_error,alignment_yaw_error,"
     "heading_drift,estimate_x,estimate_y,estimate_yaw,truth_x,truth_y,truth_yaw,translation_error,rotation_error,"
-    "occupied,falsely_occupied,nearby_cells,nearby_ratio\n";
+    "occupied,falsely_occupied,nearby_cells,nearby_ratio,nearby_walls,nearby_walls_ratio\n";
 
 std::string rowOf(const TrialQuery& query) {
   const MatchResult& result = query.result;
@@ -90,7 +90,9 @@ std::string rowOf(const TrialQuery& query) {
   row.add(query.occupied);
   row.add(query.falsely_occupied);
   row.add(result.nearby.cells);
-  row.add(result.nearby.cells > 0 ? std::optional<double>(result.nearby.ratio()) : std::nullopt);
+  row.add(result.nearby.cells > 0 ? std::optional<double>(result.nearby.ratio) : std::nullopt);
+  row.add(result.nearby.walls);
+  row.add(result.nearby.walls > 0 ? std::optional<double>(result.nearby.walls_ratio) : std::nullopt);
   return row.line();
 }
 

@@ -83,7 +83,9 @@ void fillCertificate(MapMatch& message, const MatchResult& result) {
   }
   message.margin = result.margin;
   message.nearby_cells = result.nearby.cells;
-  message.nearby_ratio = result.nearby.ratio();
+  message.nearby_ratio = result.nearby.ratio;
+  message.nearby_walls = result.nearby.walls;
+  message.nearby_walls_ratio = result.nearby.walls_ratio;
 }
 
 }  // namespace

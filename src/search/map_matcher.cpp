@@ -55,7 +55,7 @@ MatchResult MapMatcher::match(const OccupancyGrid& session, const MatchPrior& pr
   MatchResult result = twoStageSearch(*search_reference_, search_session, options_, prior, deadline);
   if (exact) {
     result = certify(result, *search_reference_, search_session, options_, prior, deadline);
-    checkRobot(result, *search_reference_, search_session, options_, prior);
+    checkRobot(result, *search_reference_, session, search_session, options_, prior);
   }
   result.search_time = watch.lap();
   result.reference_time = reference_time_;

@@ -60,9 +60,11 @@ ParameterList parametersOf(MatchOptions& options) {
       {"nearby_distance", "m", "Exact search: session cells up to this far from the robot are its surroundings.",
        &options.nearby_distance, 0.1, 1000.0},
       {"min_nearby_ratio", "",
-       "Exact search: smallest share of session cells in them near walls with which the robot is where it seems to be; "
-       "0 does not look.",
+       "Exact search: the robot is astray when a smaller share of its surroundings lies near walls, 0 to never say so,",
        &options.min_nearby_ratio, 0.0, 1.0},
+      {"min_nearby_walls", "",
+       "and a smaller share of the reference map's walls there is in the session map; 0 to never say so.",
+       &options.min_nearby_walls, 0.0, 1.0},
       {"exact_deadline", "s", "Exact search: time after which a search ends without a proof.", &options.exact_deadline,
        0.0, 3600.0},
       {"threads", "", "Threads that search; 0 is as many as the processor has.", &options.threads, 0.0, 256.0},

@@ -164,7 +164,7 @@ TEST(TrialTable, TellsWhatTheExactSearchProved) {
   query.result.hit_ratio = 0.75;
   query.result.upper_bound = 0.8;
   query.result.margin = 0.25;
-  query.result.nearby = {200, 150};
+  query.result.nearby = {200, 0.75, 90, 0.5};
   StageReport exact;
   exact.name = "exact";
   exact.initialization_time = 0.5;
@@ -180,6 +180,8 @@ TEST(TrialTable, TellsWhatTheExactSearchProved) {
   EXPECT_EQ(cellOf(csv, "margin"), "0.25");
   EXPECT_EQ(cellOf(csv, "nearby_cells"), "200");
   EXPECT_EQ(cellOf(csv, "nearby_ratio"), "0.75");
+  EXPECT_EQ(cellOf(csv, "nearby_walls"), "90");
+  EXPECT_EQ(cellOf(csv, "nearby_walls_ratio"), "0.5");
   EXPECT_EQ(cellOf(csv, "exact_time"), "2.75");
 }
 

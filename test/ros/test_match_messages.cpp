@@ -45,7 +45,7 @@ MatchResult matchedResult() {
   result.upper_bound = 0.95;
   result.runner_up = RunnerUp{{3.0, 4.0, 0.5}, 0.7};
   result.margin = 0.2;
-  result.nearby = {200, 150};
+  result.nearby = {200, 0.75, 90, 0.5};
   result.stages = {stage("coarse", true, 0.2, 0.02), stage("fine", true, 0.05, 0.004)};
   result.search_time = 0.6;
   result.reference_time = 0.7;
@@ -83,6 +83,8 @@ TEST(MatchMessages, CarryEverythingOfAResult) {
   EXPECT_EQ(message.margin, 0.2);
   EXPECT_EQ(message.nearby_cells, 200);
   EXPECT_EQ(message.nearby_ratio, 0.75);
+  EXPECT_EQ(message.nearby_walls, 90);
+  EXPECT_EQ(message.nearby_walls_ratio, 0.5);
   EXPECT_EQ(message.search_time, 0.6);
   EXPECT_EQ(message.reference_time, 0.7);
   ASSERT_EQ(message.stages.size(), 2U);

@@ -26,22 +26,23 @@ Surroundings drawnSurroundings(const std::vector<std::string>& reference_rows,
                                const std::vector<std::string>& session_rows, const Rigid2& T_reference_session,
                                const Eigen::Vector2d& robot, const MatchOptions& options = drawnOptions()) {
   const SearchReference reference(test::asciiMap(reference_rows), 1.0, options);
-  const SearchSession session = searchSession(test::asciiMap(session_rows), 1.0, options);
-  return surroundings(reference, session, options, T_reference_session, robot);
+  const OccupancyGrid session = test::asciiMap(session_rows);
+  return surroundings(reference, session, searchSession(session, 1.0, options), options, T_reference_session, robot);
 }
 
-TEST(Surroundings, CountsTheCellsNearTheRobotThatLieOnWalls) {
+TEST(Surroundings, AreTheSessionCellsNearTheRobotAndTheWallsThere) {
   const Surroundings nearby = drawnSurroundings({"#.......#",  //
                                                  "#.......#",  //
                                                  "#########"},
                                                 {"#.#.....#",  //
                                                  "........#",  //
-                                                 "##......#"},
+                                                 "##??....#"},
                                                 {}, {0.5, 1.5});
 
   EXPECT_EQ(nearby.cells, 4);
-  EXPECT_EQ(nearby.hits, 3);
-  EXPECT_DOUBLE_EQ(nearby.ratio(), 0.75);
+  EXPECT_DOUBLE_EQ(nearby.ratio, 0.75);  // not the one at (2.5, 2.5)
+  EXPECT_EQ(nearby.walls, 4);            // those at the unknown cell (2.5, 0.5) and far from the robot do not count
+  EXPECT_DOUBLE_EQ(nearby.walls_ratio, 0.75);  // not the one at (0.5, 1.5)
 }
 
 TEST(Surroundings, CountCellsBesideTheReferenceMapAndWhereItIsUnknownAsOffWalls) {
@@ -52,7 +53,9 @@ TEST(Surroundings, CountCellsBesideTheReferenceMapAndWhereItIsUnknownAsOffWalls)
                                                 {}, {1.0, 1.5});
 
   EXPECT_EQ(nearby.cells, 6);
-  EXPECT_EQ(nearby.hits, 2);
+  EXPECT_DOUBLE_EQ(nearby.ratio, 2.0 / 6.0);
+  EXPECT_EQ(nearby.walls, 2);
+  EXPECT_EQ(nearby.walls_ratio, 1.0);
 }
 
 TEST(Surroundings, AreThoseOfTheMapWhereItLies) {
@@ -60,25 +63,94 @@ TEST(Surroundings, AreThoseOfTheMapWhereItLies) {
                                            "....#",  //
                                            "....."};
   const std::vector<std::string> session{"##"};  // turned left: a column
-  const Rigid2 T_reference_session{5.0, 1.0, M_PI / 2.0};
 
-  EXPECT_EQ(drawnSurroundings(reference, session, T_reference_session, {1.0, 0.5}).hits, 2);
-  EXPECT_EQ(drawnSurroundings(reference, session, {4.0, 1.0, M_PI / 2.0}, {1.0, 0.5}).hits, 0);
+  const Surroundings there = drawnSurroundings(reference, session, {5.0, 1.0, M_PI / 2.0}, {1.0, 0.5});
+  const Surroundings beside = drawnSurroundings(reference, session, {4.0, 1.0, M_PI / 2.0}, {1.0, 0.5});
+
+  EXPECT_EQ(there.ratio, 1.0);
+  EXPECT_EQ(there.walls, 2);
+  EXPECT_EQ(there.walls_ratio, 1.0);
+  EXPECT_EQ(beside.ratio, 0.0);
+  EXPECT_EQ(beside.walls, 0);
 }
 
 TEST(Surroundings, TakeCellsNearWallsForHits) {
   MatchOptions tolerant = drawnOptions();
   tolerant.hit_tolerance = 1.0;
 
-  EXPECT_EQ(drawnSurroundings({"#...#"}, {".#.#."}, {}, {2.5, 0.5}).hits, 0);
-  EXPECT_EQ(drawnSurroundings({"#...#"}, {".#.#."}, {}, {2.5, 0.5}, tolerant).hits, 2);
+  EXPECT_EQ(drawnSurroundings({"#...#"}, {".#.#."}, {}, {2.5, 0.5}).ratio, 0.0);
+  EXPECT_EQ(drawnSurroundings({"#...#"}, {".#.#."}, {}, {2.5, 0.5}, tolerant).ratio, 1.0);
+}
+
+TEST(Surroundings, TakeWallsThatAreBentALittleForTheSame) {
+  const auto walls_ratio = [](double drift) {
+    const MatchOptions options;
+    GridGeometry geometry;
+    geometry.width = 100;
+    geometry.height = 100;
+    geometry.resolution = kResolution;
+    OccupancyGrid reference(geometry);
+    OccupancyGrid session = reference;
+    for (int y = 0; y < 100; ++y) {
+      for (int x = 0; x < 100; ++x) {
+        session.at(x, y) = kFree;
+      }
+      reference.at(50, y) = kOccupied;
+      session.at(50 + static_cast<int>(std::lround(drift / kResolution)), y) = kOccupied;
+    }
+    return surroundings(SearchReference(reference, kResolution, options), session,
+                        searchSession(session, kResolution, options), options, {}, {2.0, 2.5})
+        .walls_ratio;
+  };
+
+  EXPECT_EQ(walls_ratio(0.2), 1.0);
+  EXPECT_EQ(walls_ratio(-0.2), 1.0);
+  EXPECT_EQ(walls_ratio(0.35), 0.0);
 }
 
 TEST(Surroundings, HoldNothingFarFromAllCells) {
   const Surroundings nearby = drawnSurroundings({"#"}, {"#"}, {}, {100.0, 0.0});
 
   EXPECT_EQ(nearby.cells, 0);
-  EXPECT_EQ(nearby.ratio(), 0.0);
+  EXPECT_EQ(nearby.ratio, 0.0);
+  EXPECT_EQ(nearby.walls, 0);
+  EXPECT_EQ(nearby.walls_ratio, 0.0);
+}
+
+constexpr int kEnough = 40;  // cells of 5 cm
+
+Surroundings measured(double ratio, double walls_ratio, int cells = kEnough, int walls = kEnough) {
+  return {cells, ratio, walls, walls_ratio};
+}
+
+TEST(IsAstray, WhenNeitherCellsNorWallsFit) {
+  EXPECT_TRUE(isAstray(measured(0.49, 0.89), kResolution, {}, false));
+  EXPECT_FALSE(isAstray(measured(0.50, 0.00), kResolution, {}, false));
+  EXPECT_FALSE(isAstray(measured(0.00, 0.90), kResolution, {}, false));
+}
+
+TEST(IsAstray, UntilBothFit) {
+  EXPECT_TRUE(isAstray(measured(0.49, 1.00), kResolution, {}, true));
+  EXPECT_TRUE(isAstray(measured(1.00, 0.89), kResolution, {}, true));
+  EXPECT_FALSE(isAstray(measured(0.50, 0.90), kResolution, {}, true));
+}
+
+TEST(IsAstray, AsBeforeWhereThereIsTooLittleToLookAt) {
+  for (const bool was_astray : {false, true}) {
+    EXPECT_EQ(isAstray(measured(0.0, 0.0, kEnough - 1), kResolution, {}, was_astray), was_astray);
+    EXPECT_EQ(isAstray(measured(0.0, 0.0, kEnough, kEnough - 1), kResolution, {}, was_astray), was_astray);
+    EXPECT_EQ(isAstray(measured(1.0, 1.0, 0, 0), kResolution, {}, was_astray), was_astray);
+  }
+}
+
+TEST(IsAstray, NeverWithoutALimit) {
+  MatchOptions any_cells;
+  any_cells.min_nearby_ratio = 0.0;
+  MatchOptions any_walls;
+  any_walls.min_nearby_walls = 0.0;
+
+  EXPECT_FALSE(isAstray(measured(0.0, 0.0), kResolution, any_cells, false));
+  EXPECT_FALSE(isAstray(measured(0.0, 0.0), kResolution, any_walls, false));
 }
 
 /// Draws pillars up to 3 m from `place` [m, map frame] into a map, and nothing else.
@@ -101,8 +173,8 @@ struct LostRobot {
       : reference(test::randomBuilding(random, 24.0, 12.0, kResolution)),
         session(withPillars(test::cutSession(reference, {9.0, 6.0}, 11.0, truth, kResolution), robot)) {}
 
-  MatchResult match(const MatchPrior& prior, const MatchOptions& options = {}) const {
-    MapMatcher matcher(options);
+  MatchResult match(const MatchPrior& prior) const {
+    MapMatcher matcher;
     matcher.setReference(reference);
     return matcher.match(session, prior);
   }
@@ -128,8 +200,10 @@ TEST(RobotCheck, TakesBackAMatchThatDoesNotFitAroundTheRobot) {
   const MatchResult result = scene.match(robotAt(scene.robot));
 
   EXPECT_EQ(result.status, MatchStatus::kRobotAstray);
-  EXPECT_GT(result.nearby.cells, kFewestNearbyCells);
-  EXPECT_LT(result.nearby.ratio(), 0.5);
+  EXPECT_GT(result.nearby.cells, kEnough);
+  EXPECT_LT(result.nearby.ratio, 0.5);
+  EXPECT_GT(result.nearby.walls, kEnough);
+  EXPECT_LT(result.nearby.walls_ratio, 0.9);
   EXPECT_TRUE(result.certified);
   EXPECT_EQ(result.covariance.norm(), 0.0);
   EXPECT_NE(result.reason.find("not where the robot is: up to 3 m from it"), std::string::npos) << result.reason;
@@ -142,32 +216,16 @@ TEST(RobotCheck, LeavesAMatchThatFitsAroundTheRobot) {
     const MatchResult result = scene.match(robotAt(scene.elsewhere, astray));
 
     EXPECT_TRUE(result.matched()) << result.reason;
-    EXPECT_GT(result.nearby.cells, kFewestNearbyCells);
-    EXPECT_GT(result.nearby.ratio(), 0.9);
+    EXPECT_GT(result.nearby.ratio, 0.9);
+    EXPECT_GT(result.nearby.walls_ratio, 0.9);
   }
 }
 
-TEST(RobotCheck, AsksForMoreOnceTheRobotWasLost) {
-  const LostRobot scene;
-  MatchOptions options;
-  options.nearby_distance = 100.0;  // the whole map, some of which fits
-  const double ratio = scene.match(robotAt(scene.robot), options).nearby.ratio();
-  options.min_nearby_ratio = ratio - 0.01;
+TEST(RobotCheck, DoesNotLookWithoutARobot) {
+  const MatchResult result = LostRobot().match({});
 
-  ASSERT_LT(ratio, 0.95);
-  EXPECT_TRUE(scene.match(robotAt(scene.robot), options).matched());
-  EXPECT_EQ(scene.match(robotAt(scene.robot, true), options).status, MatchStatus::kRobotAstray);
-}
-
-TEST(RobotCheck, DoesNotLookWithoutARobotOrALimit) {
-  const LostRobot scene;
-  MatchOptions trusting;
-  trusting.min_nearby_ratio = 0.0;
-
-  for (const MatchResult& result : {scene.match({}), scene.match(robotAt(scene.robot), trusting)}) {
-    EXPECT_TRUE(result.matched()) << result.reason;
-    EXPECT_EQ(result.nearby.cells, 0);
-  }
+  EXPECT_TRUE(result.matched()) << result.reason;
+  EXPECT_EQ(result.nearby.cells, 0);
 }
 
 TEST(RobotCheck, KeepsToWhatItSaidWhereThereIsTooLittleToLookAt) {

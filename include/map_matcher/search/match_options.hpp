@@ -32,7 +32,8 @@ struct MatchOptions {
   bool follow_alignment = true;    ///< Exact: whether the margin may be missed where MatchPrior::alignment is met.
   bool confirm_relocation = true;  ///< Exact: whether it takes two maps to give up MatchPrior::alignment.
   double nearby_distance = 3.0;    ///< [m] Exact: how far the surroundings of MatchPrior::robot reach.
-  double min_nearby_ratio = 0.5;   ///< Exact: smallest share of hits in them that is believed; 0 = any.
+  double min_nearby_ratio = 0.5;   ///< Exact: smallest share of hits in them that speaks for the robot's pose; 0 = any.
+  double min_nearby_walls = 0.9;   ///< Exact: the same for the share of the reference map's walls found there.
   int threads = 2;                 ///< Threads that search; 0 = as many as the processor has.
   int hits_sample_threshold = 0;   ///< [cells] Session cells looked at in each stage, chosen reproducibly; 0 = all.
   int min_session_cells = 100;     ///< [cells] Session maps with fewer occupied cells are not matched.

@@ -53,12 +53,12 @@ struct RunnerUp {
   double ratio = 0.0;          ///< Its hits / session cells, to compare with MatchResult::hit_ratio.
 };
 
-/// Session cells around the robot.
+/// How the two maps agree around the robot.
 struct Surroundings {
-  int cells = 0;  ///< [cells]
-  int hits = 0;   ///< Those within hit_tolerance of a wall [cells].
-
-  double ratio() const { return cells > 0 ? static_cast<double>(hits) / cells : 0.0; }  ///< 0 without any cell.
+  int cells = 0;             ///< Session cells there [cells].
+  double ratio = 0.0;        ///< Share of them within hit_tolerance of a wall of the reference map.
+  int walls = 0;             ///< Wall cells of the reference map there at which the session map is known [cells].
+  double walls_ratio = 0.0;  ///< Share of them at which it has a wall, too.
 };
 
 /// The answer of MapMatcher::match.
@@ -89,7 +89,7 @@ struct MatchResult {
   std::optional<RunnerUp> runner_up;  ///< The best place elsewhere, unless it is worse by more than min_margin.
   double margin = 0.0;                ///< hit_ratio less that of the runner-up; without one, margin is at least this.
 
-  Surroundings nearby;  ///< With MatchPrior::robot and an exact search, of a map that fits; else without cells.
+  Surroundings nearby;  ///< With MatchPrior::robot, of a map that fits; else without cells.
 
   std::vector<StageReport> stages;  ///< Coarse, fine, exact; empty when no stage ran.
   double search_time = 0.0;         ///< The whole match without reference_time [s].
