@@ -173,7 +173,7 @@ void MapMatcherServer::tell(const MapMatch& report) {
   } else if (report.status == MapMatch::EQUAL_FRAMES && last_status_ != MapMatch::EQUAL_FRAMES) {
     ROS_ERROR_STREAM(report.reason);
   } else if (report.status == MapMatch::ROBOT_ASTRAY && last_status_ != MapMatch::ROBOT_ASTRAY) {
-    ROS_ERROR_STREAM("the alignment is no longer broadcast: " << report.reason);
+    ROS_ERROR_STREAM("the alignment is not broadcast: " << report.reason);
   } else if (isUnusable(report)) {
     ROS_WARN_STREAM_THROTTLE(kWarningPeriod, "session map on " << session_subscriber_.getTopic() << " dropped ("
                                                                << report.dropped_session_maps

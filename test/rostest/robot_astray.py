@@ -43,7 +43,7 @@ class RobotAstray(NodeFixture):
         self.assertLess(lost.nearby_ratio, 0.5)
         self.assertGreater(lost.hit_ratio, 0.6)
         self.assert_pose(lost.T_reference_session, (0.0, 0.0, 0.0))
-        self.log.wait_for(lambda line: line.level == line.ERROR and "is no longer broadcast" in line.msg, "error")
+        self.log.wait_for(lambda line: line.level == line.ERROR and "the alignment is not broadcast" in line.msg, "error")
         self.assert_no_tf("session_map")
         wait_for_diagnostic("map_matcher: alignment",
                             lambda s: s.level == DiagnosticStatus.ERROR and "not where the robot is" in s.message)

@@ -30,8 +30,7 @@ TEST(SessionMemory, KeepsTheLastAcceptedAlignment) {
 
 TEST(SessionMemory, KeepsAContenderUntilTheNextAnswerOfASearch) {
   for (const MatchStatus status : {MatchStatus::kMatched, MatchStatus::kBelowAcceptanceRatio,
-                                   MatchStatus::kNotCertified, MatchStatus::kAmbiguous,
-                                   MatchStatus::kRobotAstray}) {
+                                   MatchStatus::kNotCertified, MatchStatus::kAmbiguous, MatchStatus::kRobotAstray}) {
     SessionMemory memory;
     memory.add(answer(MatchStatus::kMatched, 1.0));
     memory.add(answer(MatchStatus::kUnconfirmed, 7.0));
