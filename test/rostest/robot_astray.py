@@ -22,7 +22,7 @@ def with_false_walls():
             x = info.origin.position.x + (column + 0.5) * info.resolution
             y = info.origin.position.y + (row + 0.5) * info.resolution
             if math.hypot(x - ROBOT[0], y - ROBOT[1]) < 3.0:
-                message.data[row * info.width + column] = OCCUPIED if column % 7 < 2 and row % 7 < 2 else FREE
+                message.data[row * info.width + column] = OCCUPIED if column % 15 < 2 and row % 15 < 2 else FREE
     return message
 
 
