@@ -5,40 +5,11 @@
 #include <thread>
 
 namespace map_matcher {
+namespace {
 
-int searchThreads(const MatchOptions& options) {
-  return options.threads > 0 ? options.threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-}
-
-int minCount(double ratio, int num_cells) { return std::max(1, static_cast<int>(std::ceil(ratio * num_cells - 1e-9))); }
-
-double smallestHitRatio(const MatchOptions& options) {
-  return std::max(options.coarse.acceptance_ratio, options.min_hit_ratio);
-}
-
-ParameterList parametersOf(MatchOptions& options) {
+/// The parameters of the exact search alone.
+ParameterList exactParametersOf(MatchOptions& options) {
   return {
-      {"search",
-       "",
-       "Either coarse and fine stage alone, or then the proof that no pose is better, and the best place elsewhere.",
-       &options.search,
-       {},
-       {},
-       {"two_stage", "exact"}},
-      {"coarse_resolution", "m",
-       "The coarse stage runs at the map's resolution doubled as often as comes nearest to this.",
-       &options.coarse_resolution, 0.01, 10.0},
-      {"rotation_downsampling", "cells",
-       "Coarse stage: cells that the farthest session cell may move in two rotation steps (eq. 4.2).",
-       &options.coarse.rotation_downsampling, 0.1, 100.0},
-      {"acceptance_ratio", "",
-       "Coarse stage and exact search: smallest share of session cells on walls that is an answer.",
-       &options.coarse.acceptance_ratio, 0.0, 1.0},
-      {"fine_rotation_downsampling", "cells", "Fine stage: the same as rotation_downsampling.",
-       &options.fine.rotation_downsampling, 0.1, 100.0},
-      {"fine_acceptance_ratio", "",
-       "Fine stage: smallest share of session cells on walls that is an answer; without one the coarse answer stands.",
-       &options.fine.acceptance_ratio, 0.0, 1.0},
       {"hit_tolerance", "m",
        "Exact search: a session cell counts as on a wall up to this far from one; about the noise of the scans.",
        &options.hit_tolerance, 0.0, 1.0},
@@ -67,6 +38,48 @@ ParameterList parametersOf(MatchOptions& options) {
        &options.min_nearby_walls, 0.0, 1.0},
       {"exact_deadline", "s", "Exact search: time after which a search ends without a proof.", &options.exact_deadline,
        0.0, 3600.0},
+  };
+}
+
+}  // namespace
+
+int searchThreads(const MatchOptions& options) {
+  return options.threads > 0 ? options.threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+int minCount(double ratio, int num_cells) { return std::max(1, static_cast<int>(std::ceil(ratio * num_cells - 1e-9))); }
+
+double smallestHitRatio(const MatchOptions& options) {
+  return std::max(options.coarse.acceptance_ratio, options.min_hit_ratio);
+}
+
+ParameterList parametersOf(MatchOptions& options) {
+  ParameterList parameters{
+      {"search",
+       "",
+       "Either coarse and fine stage alone, or then the proof that no pose is better, and the best place elsewhere.",
+       &options.search,
+       {},
+       {},
+       {"two_stage", "exact"}},
+      {"coarse_resolution", "m",
+       "The coarse stage runs at the map's resolution doubled as often as comes nearest to this.",
+       &options.coarse_resolution, 0.01, 10.0},
+      {"rotation_downsampling", "cells",
+       "Coarse stage: cells that the farthest session cell may move in two rotation steps (eq. 4.2).",
+       &options.coarse.rotation_downsampling, 0.1, 100.0},
+      {"acceptance_ratio", "",
+       "Coarse stage and exact search: smallest share of session cells on walls that is an answer.",
+       &options.coarse.acceptance_ratio, 0.0, 1.0},
+      {"fine_rotation_downsampling", "cells", "Fine stage: the same as rotation_downsampling.",
+       &options.fine.rotation_downsampling, 0.1, 100.0},
+      {"fine_acceptance_ratio", "",
+       "Fine stage: smallest share of session cells on walls that is an answer; without one the coarse answer stands.",
+       &options.fine.acceptance_ratio, 0.0, 1.0},
+  };
+  const ParameterList exact = exactParametersOf(options);
+  parameters.insert(parameters.end(), exact.begin(), exact.end());
+  const ParameterList others{
       {"threads", "", "Threads that search; 0 is as many as the processor has.", &options.threads, 0.0, 256.0},
       {"hits_sample_threshold", "cells",
        "Session cells looked at in each stage, always the same ones for the same map; 0 looks at all.",
@@ -82,6 +95,8 @@ ParameterList parametersOf(MatchOptions& options) {
        "How far the reference map is drawn off along x and y; 0.5 for maps of slam_gmapping.",
        &options.reference_map_cell_offset, -1.0, 1.0},
   };
+  parameters.insert(parameters.end(), others.begin(), others.end());
+  return parameters;
 }
 
 }  // namespace map_matcher
