@@ -117,7 +117,7 @@ TEST(Surroundings, HoldNothingFarFromAllCells) {
   EXPECT_EQ(nearby.walls_ratio, 0.0);
 }
 
-constexpr int kEnough = 40;  // cells of 5 cm
+constexpr int kEnough = 60;  // cells of 5 cm
 
 Surroundings measured(double ratio, double walls_ratio, int cells = kEnough, int walls = kEnough) {
   return {cells, ratio, walls, walls_ratio};

@@ -16,7 +16,7 @@ namespace map_matcher {
 constexpr double kSameWall = 0.25;
 
 /// Length of walls around the robot, one cell thick, that is enough to judge by [m].
-constexpr double kEnoughWalls = 2.0;
+constexpr double kEnoughWalls = 3.0;
 
 /// How the maps agree up to options.nearby_distance from `robot` [m, session map frame], with `session`, of which
 /// `search_session` was made, at `T_reference_session`. `reference` is built for the exact search.
