@@ -154,7 +154,8 @@ def report(planned, page):
         "loops, as session_mapper, it grows with the mapper's drift in heading times the distance from the start, "
         "while the error of the robot's pose stays that of the session map around it. Where the robot is far off and "
         "the alignment is not, the mapper has lost the robot in its own map, which still matches with what was drawn "
-        "before; once it no longer fits around the robot, it is robot_astray. The report's mapper is slam_gmapping; `--mapper gmapping` adds it where it is installed.",
+        "before; once it no longer fits around the robot, it is robot_astray. The report's mapper is slam_gmapping; "
+        "`--mapper gmapping` adds it where it is installed.",
         *parts, arguments_of(every_run))
 
 
