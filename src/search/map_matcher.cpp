@@ -39,6 +39,12 @@ void MapMatcher::setReference(OccupancyGrid reference) {
 }
 
 MatchResult MapMatcher::match(const OccupancyGrid& session, const MatchPrior& prior, const StopToken& stop) {
+  const bool exact = options_.search == "exact";
+  return match(session, prior,
+               Deadline(exact ? options_.exact_deadline : std::numeric_limits<double>::infinity(), stop));
+}
+
+MatchResult MapMatcher::match(const OccupancyGrid& session, const MatchPrior& prior, const Deadline& deadline) {
   if (!reference_) {
     MatchResult result;
     result.reason = "no reference map was set";
@@ -50,7 +56,6 @@ MatchResult MapMatcher::match(const OccupancyGrid& session, const MatchPrior& pr
   }
   Stopwatch watch;
   const bool exact = options_.search == "exact";
-  const Deadline deadline(exact ? options_.exact_deadline : std::numeric_limits<double>::infinity(), stop);
   const SearchSession search_session = searchSession(session, resolution, options_);
   MatchResult result = twoStageSearch(*search_reference_, search_session, options_, prior, deadline);
   if (exact) {

@@ -3,13 +3,16 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <limits>
+#include <utility>
 
 #include "map_matcher/search/stop_token.hpp"
 
 namespace map_matcher {
 
-/// A point in time on a clock that never goes back, or a stop from another thread. Thread-safe.
+/// A point in time on a clock that never goes back, or whatever else its maker takes for the end, or a stop from
+/// another thread. Once it has passed, it stays so. Thread-safe.
 class Deadline {
  public:
   /// Ends `seconds` from now, at once when that is 0 or less or not a number, and never when it is infinite.
@@ -21,8 +24,15 @@ class Deadline {
     limited_ = limited_ || seconds != seconds;
   }
 
+  /// Ends when `is_over` says so, for those who measure time, or work, in another way than by this clock. It is asked
+  /// at every look at the deadline, thousands of times in a second and from several threads at once, and having said so
+  /// it has to go on saying so.
+  explicit Deadline(std::function<bool()> is_over, const StopToken& stop = {})
+      : stop_(stop), limited_(false), is_over_(std::move(is_over)) {}
+
+  const StopToken& stop() const { return stop_; }         ///< The token that ends it before its time.
   bool stopped() const { return stop_.stopRequested(); }  ///< Whether the stop token was set.
-  bool passed() const { return stopped() || (limited_ && Clock::now() >= end_); }
+  bool passed() const { return stopped() || (limited_ && Clock::now() >= end_) || (is_over_ && is_over_()); }
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -30,7 +40,8 @@ class Deadline {
 
   StopToken stop_;
   bool limited_;
-  Clock::time_point end_;
+  Clock::time_point end_{};
+  std::function<bool()> is_over_;
 };
 
 }  // namespace map_matcher

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "map_matcher/grid/occupancy_grid.hpp"
+#include "map_matcher/search/deadline.hpp"
 #include "map_matcher/search/match_options.hpp"
 #include "map_matcher/search/match_prior.hpp"
 #include "map_matcher/search/match_result.hpp"
@@ -35,6 +36,9 @@ class MapMatcher {
   /// The pose of the session map in the reference map, or the reason why there is none. Both poses are those of the map
   /// frames, so that the grids' origins, with their yaws, are taken into account. Returns within 50 ms of a stop.
   MatchResult match(const OccupancyGrid& session, const MatchPrior& prior = {}, const StopToken& stop = {});
+
+  /// The same with a deadline of the caller's in place of MatchOptions::exact_deadline.
+  MatchResult match(const OccupancyGrid& session, const MatchPrior& prior, const Deadline& deadline);
 
  private:
   MatchOptions options_;
