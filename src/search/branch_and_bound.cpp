@@ -4,8 +4,8 @@
 #include <cstddef>
 
 #include "band_search.hpp"
-#include "crew.hpp"
 #include "map_matcher/search/stopwatch.hpp"
+#include "parallel.hpp"
 
 namespace map_matcher {
 namespace {
@@ -50,8 +50,8 @@ class DepthFirstSearch {
     const std::vector<RotationBand> single =
         problem_.bands.empty() ? oneByOne(problem_.windows.size()) : std::vector<RotationBand>{};
     const std::vector<RotationBand>& bands = problem_.bands.empty() ? single : problem_.bands;
-    return shareOut(searches_, bands.size(),
-                    [&bands](BandSearch& search, std::size_t n) { return search.scoreBand(bands[n]); });
+    return parallelWhile(searches_, bands.size(),
+                         [&bands](BandSearch& search, std::size_t n) { return search.scoreBand(bands[n]); });
   }
 
   // From line 11 on, the best initial node first.
@@ -63,8 +63,8 @@ class DepthFirstSearch {
     }
     std::sort(nodes.begin(), nodes.end(),
               [this](const SearchNode& a, const SearchNode& b) { return searchedAfter(problem_, b, a); });
-    return shareOut(searches_, nodes.size(),
-                    [&nodes](BandSearch& search, std::size_t n) { return search.searchBelow(nodes[n]); });
+    return parallelWhile(searches_, nodes.size(),
+                         [&nodes](BandSearch& search, std::size_t n) { return search.searchBelow(nodes[n]); });
   }
 
   const SearchProblem& problem_;

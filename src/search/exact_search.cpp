@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "block_search.hpp"
-#include "crew.hpp"
 #include "map_matcher/search/stopwatch.hpp"
+#include "parallel.hpp"
 #include "root_level.hpp"
 
 namespace map_matcher {
@@ -60,8 +60,8 @@ class ExactSearch {
   /// Calls work(search, block) for all blocks, each once, on all threads, until a call returns false; whether none did.
   template <typename Work>
   bool forEachBlock(const Work& work) {
-    return shareOut(searches_, blocks_.size(),
-                    [&](BlockSearch& search, std::size_t n) { return work(search, blocks_[n]); });
+    return parallelWhile(searches_, blocks_.size(),
+                         [&](BlockSearch& search, std::size_t n) { return work(search, blocks_[n]); });
   }
 
   /// Scores the initial nodes that reach `threshold` and sorts the blocks, the best first. False when the deadline

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "crew.hpp"
+#include "parallel.hpp"
 #include "vector_clones.hpp"
 
 namespace map_matcher {
@@ -44,8 +44,8 @@ RotationBlocks::RotationBlocks(const SessionCells& session, double first_angle, 
                                 std::to_string(step * farthest) + " cells, expected at most 0.5");
   }
   clusters_.resize(static_cast<std::size_t>(top_level));
-  forEachOnThreads(threads, clusters_.size(),
-                   [&](std::size_t n) { clusters_[n] = clustersOf(session, BlockShape{static_cast<int>(n) + 1}); });
+  parallelFor(threads, clusters_.size(),
+              [&](std::size_t n) { clusters_[n] = clustersOf(session, BlockShape{static_cast<int>(n) + 1}); });
 }
 
 WeightedCells RotationBlocks::cells(const BlockShape& shape, int first_rotation) const {

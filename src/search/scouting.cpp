@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "crew.hpp"
 #include "map_matcher/search/score_kernel.hpp"
+#include "parallel.hpp"
 
 namespace map_matcher {
 namespace {
@@ -53,7 +53,7 @@ void putPromisingFirst(SearchProblem& problem, const SessionCells& session, int 
   const auto min_count = static_cast<int>(share * problem.min_count);  // rounding is no matter: it decides nothing
   std::vector<RotationBand>& bands = problem.bands;
   std::vector<Prospect> prospects(bands.size());
-  forEachOnThreads(problem.threads, bands.size(), [&](std::size_t n) {
+  parallelFor(problem.threads, bands.size(), [&](std::size_t n) {
     prospects[n].band = n;
     if (!deadline.passed()) {
       prospects[n].matches = mostMatches(problem, bands[n], rotate(sample, bands[n].middle), min_count);
