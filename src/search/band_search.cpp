@@ -85,7 +85,7 @@ SearchWindow BandSearch::reachable(const SearchWindow& window, const RotatedCell
   if (window.empty() || numTiles(window, 1 << problem_.root_level) <= kFewTiles) {
     return window;
   }
-  return intersection(window, reachableWindow(problem_.reference, cells, quarry_.threshold(), reach));
+  return intersection(window, reachableWindow(problem_.reference, cells, incumbent_.threshold(), reach));
 }
 
 /// Lines 4 to 10: the rotations of a band, all translations on the stride of the root level.
@@ -159,7 +159,7 @@ void BandSearch::scoreRotation(int rotation, const SearchWindow& window) {
 void BandSearch::scoreTile(const PooledLevel& level, const RotatedCells& cells, const Cell& first,
                            const TileSize& size) {
   nodes_scored_ += static_cast<std::int64_t>(size.columns) * size.rows;
-  kernel_.scoreTile(level, cells, first, size, quarry_.threshold(), scores_);
+  kernel_.scoreTile(level, cells, first, size, incumbent_.threshold(), scores_);
 }
 
 void BandSearch::searchBestOf(std::ptrdiff_t first_new) {
@@ -180,11 +180,11 @@ bool BandSearch::searchBelow(const SearchNode& root) {
   while (!nodes_.empty() && !stopped()) {
     const SearchNode node = nodes_.back();
     nodes_.pop_back();
-    if (quarry_.hopeless(node)) {  // line 14
+    if (incumbent_.prunes(node)) {  // line 14
       continue;
     }
     if (node.level == 0) {  // lines 17 to 19
-      quarry_.offer({node.rotation, node.first, node.bound});
+      incumbent_.offer({node.rotation, node.first, node.bound});
     } else {
       expand(node);
     }

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "incumbent.hpp"
 #include "map_matcher/search/branch_and_bound.hpp"
 #include "map_matcher/search/score_kernel.hpp"
-#include "quarry.hpp"
 
 namespace map_matcher {
 
@@ -18,8 +18,8 @@ bool searchedAfter(const SearchProblem& problem, const SearchNode& a, const Sear
 /// Work of one thread: scores initial nodes, band by band, and searches below them.
 class BandSearch {
  public:
-  BandSearch(const SearchProblem& problem, const Deadline& deadline, Quarry& quarry)
-      : problem_(problem), deadline_(deadline), quarry_(quarry), rotated_(problem.windows.size()) {}
+  BandSearch(const SearchProblem& problem, const Deadline& deadline, Incumbent& incumbent)
+      : problem_(problem), deadline_(deadline), incumbent_(incumbent), rotated_(problem.windows.size()) {}
 
   /// Scores the initial nodes of a band, and searches at once below the best of them if none before was as good: a high
   /// threshold early on keeps most nodes out of the list. (The report sorts the complete list first.) False when the
@@ -53,7 +53,7 @@ class BandSearch {
 
   const SearchProblem& problem_;
   const Deadline& deadline_;
-  Quarry& quarry_;
+  Incumbent& incumbent_;
   ScoreKernel kernel_;
   std::vector<RotatedCells> rotated_;  // the cells under each rotation; empty until they are needed
   RotatedCells band_cells_;            // the same at the middle of the band

@@ -111,13 +111,13 @@ void BlockSearch::enter(const RotationBlock& block) {
 }
 
 /// Searches below the initial nodes of a block. False when the deadline passed before that.
-bool BlockSearch::searchBelow(const RotationBlock& block, Quarry& quarry) {
+bool BlockSearch::searchBelow(const RotationBlock& block, Incumbent& incumbent) {
   enter(block);
   for (const RootNode& root : block.roots) {
-    if (root.bound < quarry.threshold()) {
+    if (root.bound < incumbent.threshold()) {
       break;
     }
-    if (!searchBelow(SearchNode{root.bound, root.rotation, root.first, levels_.nodes}, quarry)) {
+    if (!searchBelow(SearchNode{root.bound, root.rotation, root.first, levels_.nodes}, incumbent)) {
       unsearched_bound_ = root.bound;
       return false;
     }
@@ -139,22 +139,22 @@ SearchWindow BlockSearch::windowOf(int first_rotation, const BlockShape& shape) 
 }
 
 /// Depth first, the best child first. False when the deadline passed.
-bool BlockSearch::searchBelow(const SearchNode& root, Quarry& quarry) {
+bool BlockSearch::searchBelow(const SearchNode& root, Incumbent& incumbent) {
   nodes_.assign(1, root);
   while (!nodes_.empty()) {
     const SearchNode node = nodes_.back();
     nodes_.pop_back();
-    if (quarry.hopeless(node)) {
+    if (incumbent.prunes(node)) {
       continue;
     }
     if (node.level == 0) {
-      quarry.offer({node.rotation, node.first, node.bound});
+      incumbent.offer({node.rotation, node.first, node.bound});
       continue;
     }
     if (settings_.deadline.passed()) {
       return false;
     }
-    expand(node, quarry.threshold());
+    expand(node, incumbent.threshold());
   }
   return true;
 }

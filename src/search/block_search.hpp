@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "incumbent.hpp"
 #include "map_matcher/search/exact_search.hpp"
-#include "quarry.hpp"
 
 namespace map_matcher {
 
@@ -50,7 +50,7 @@ class BlockSearch {
   bool scoreRoots(RotationBlock& block, std::int32_t min_count);
 
   /// Searches below the initial nodes of a block. False when the deadline passed before that.
-  bool searchBelow(const RotationBlock& block, Quarry& quarry);
+  bool searchBelow(const RotationBlock& block, Incumbent& incumbent);
 
  private:
   SearchWindow windowOf(int first_rotation, const BlockShape& shape) const;
@@ -60,7 +60,7 @@ class BlockSearch {
                             std::vector<RootNode>& roots);
   bool scoreTile(const BlockShape& shape, int rotation, const Cell& first, const TileSize& size,
                  std::int32_t min_count);
-  bool searchBelow(const SearchNode& root, Quarry& quarry);
+  bool searchBelow(const SearchNode& root, Incumbent& incumbent);
   void expand(const SearchNode& node, std::int32_t min_count);
   void addChildren(const SearchNode& node, const BlockShape& shape, int rotation, std::int32_t min_count);
   const WeightedCells& cellsOf(const BlockShape& shape, int rotation);

@@ -23,9 +23,9 @@ std::vector<RotationBand> oneByOne(std::size_t num_rotations) {
 class DepthFirstSearch {
  public:
   DepthFirstSearch(const SearchProblem& problem, const Deadline& deadline)
-      : problem_(problem), quarry_(problem.min_count) {
+      : problem_(problem), incumbent_(problem.min_count) {
     for (int thread = 0; thread < std::max(1, problem.threads); ++thread) {
-      searches_.emplace_back(problem, deadline, quarry_);
+      searches_.emplace_back(problem, deadline, incumbent_);
     }
   }
 
@@ -36,7 +36,7 @@ class DepthFirstSearch {
     outcome.rotation_expansion_time = watch.lap();
     outcome.stopped = !scored || !searchInitialNodes();
     outcome.depth_first_search_time = watch.lap();
-    outcome.best = quarry_.best();
+    outcome.best = incumbent_.best();
     for (const BandSearch& search : searches_) {
       outcome.nodes_scored += search.nodesScored();
       outcome.nodes_expanded += search.nodesExpanded();
@@ -59,7 +59,7 @@ class DepthFirstSearch {
     std::vector<SearchNode> nodes;
     for (const BandSearch& search : searches_) {
       std::copy_if(search.initialNodes().begin(), search.initialNodes().end(), std::back_inserter(nodes),
-                   [this](const SearchNode& node) { return !quarry_.hopeless(node); });
+                   [this](const SearchNode& node) { return !incumbent_.prunes(node); });
     }
     std::sort(nodes.begin(), nodes.end(),
               [this](const SearchNode& a, const SearchNode& b) { return searchedAfter(problem_, b, a); });
@@ -68,7 +68,7 @@ class DepthFirstSearch {
   }
 
   const SearchProblem& problem_;
-  Quarry quarry_;
+  Incumbent incumbent_;
   std::vector<BandSearch> searches_;
 };
 

@@ -91,22 +91,22 @@ class ExactSearch {
     return complete;
   }
 
-  /// Searches below all initial nodes that may hold the quarry. `unsearched` becomes a bound for what the deadline
-  /// left.
-  bool hunt(Quarry& quarry, std::int32_t& unsearched) {
+  /// Searches below all initial nodes that the incumbent does not prune. `unsearched` becomes a bound for what the
+  /// deadline left.
+  bool searchBlocks(Incumbent& incumbent, std::int32_t& unsearched) {
     Stopwatch watch;
     std::atomic<std::int32_t> bound{0};
     const bool complete = forEachBlock([&](BlockSearch& search, RotationBlock& block) {
-      if (block.best_bound < quarry.threshold()) {
+      if (block.best_bound < incumbent.threshold()) {
         return true;
       }
       if (block.stored) {
-        return searchBelow(search, block, quarry, bound);
+        return searchBelow(search, block, incumbent, bound);
       }
       RotationBlock again;
       again.first_rotation = block.first_rotation;
-      if (search.scoreRoots(again, quarry.threshold())) {
-        return searchBelow(search, again, quarry, bound);
+      if (search.scoreRoots(again, incumbent.threshold())) {
+        return searchBelow(search, again, incumbent, bound);
       }
       raise(bound, block.best_bound);
       return false;
@@ -117,9 +117,9 @@ class ExactSearch {
     return complete;
   }
 
-  static bool searchBelow(BlockSearch& search, const RotationBlock& block, Quarry& quarry,
+  static bool searchBelow(BlockSearch& search, const RotationBlock& block, Incumbent& incumbent,
                           std::atomic<std::int32_t>& unsearched) {
-    if (search.searchBelow(block, quarry)) {
+    if (search.searchBelow(block, incumbent)) {
       return true;
     }
     raise(unsearched, search.unsearchedBound());
@@ -145,10 +145,10 @@ class ExactSearch {
     if (!scoreRoots(firstThreshold())) {
       return;
     }
-    Quarry quarry(threshold);
+    Incumbent incumbent(threshold);
     std::int32_t unsearched = 0;
-    outcome_.best_proven = hunt(quarry, unsearched);
-    outcome_.best = quarry.best();
+    outcome_.best_proven = searchBlocks(incumbent, unsearched);
+    outcome_.best = incumbent.best();
     outcome_.upper_bound = std::max(outcome_.best ? outcome_.best->count : threshold - 1, unsearched);
   }
 
@@ -157,10 +157,10 @@ class ExactSearch {
     if (threshold < root_threshold_ && !scoreRoots(threshold)) {
       return;
     }
-    Quarry quarry(threshold, Surroundings(*outcome_.best, problem_));
+    Incumbent incumbent(threshold, ExcludedNeighbourhood(*outcome_.best, problem_));
     std::int32_t unsearched = 0;
-    outcome_.runner_up_proven = hunt(quarry, unsearched);
-    outcome_.runner_up = quarry.best();
+    outcome_.runner_up_proven = searchBlocks(incumbent, unsearched);
+    outcome_.runner_up = incumbent.best();
     outcome_.runner_up_bound = std::max(outcome_.runner_up ? outcome_.runner_up->count : threshold - 1, unsearched);
   }
 

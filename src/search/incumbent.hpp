@@ -1,5 +1,5 @@
 /// \file
-/// What the threads of a search hunt for together.
+/// The best pose that the threads of a search have found so far, and what it lets them prune.
 #pragma once
 
 #include <algorithm>
@@ -31,26 +31,26 @@ inline bool better(const SearchPose& a, const SearchPose& b) {
          std::make_tuple(-b.count, b.rotation, b.translation.y, b.translation.x);
 }
 
-/// Tells poses elsewhere from those around a winner.
-class Surroundings {
+/// The poses around the best one, which are no place elsewhere.
+class ExcludedNeighbourhood {
  public:
-  Surroundings(const SearchPose& winner, const ExactProblem& problem)
-      : winner_(winner),
+  ExcludedNeighbourhood(const SearchPose& best, const ExactProblem& problem)
+      : best_(best),
         problem_(problem),
         squared_distance_(problem.distinction.distance * problem.distinction.distance) {}
 
-  /// Whether every pose of the node lies around the winner.
-  bool holdAll(const SearchNode& node) const {
+  /// Whether every pose of the node lies there.
+  bool contains(const SearchNode& node) const {
     const int size = (1 << node.level) - 1;
     const double dx =
-        std::max(std::abs(node.first.x - winner_.translation.x), std::abs(node.first.x + size - winner_.translation.x));
+        std::max(std::abs(node.first.x - best_.translation.x), std::abs(node.first.x + size - best_.translation.x));
     const double dy =
-        std::max(std::abs(node.first.y - winner_.translation.y), std::abs(node.first.y + size - winner_.translation.y));
+        std::max(std::abs(node.first.y - best_.translation.y), std::abs(node.first.y + size - best_.translation.y));
     if (dx * dx + dy * dy > squared_distance_) {
       return false;
     }
     for (int k = 0; k <= size; ++k) {
-      const int steps = node.rotation + k - winner_.rotation;
+      const int steps = node.rotation + k - best_.rotation;
       if (std::abs(normalizeAngle(steps * problem_.rotations.step())) > problem_.distinction.angle) {
         return false;
       }
@@ -59,26 +59,29 @@ class Surroundings {
   }
 
  private:
-  SearchPose winner_;
+  SearchPose best_;
   const ExactProblem& problem_;
   double squared_distance_;
 };
 
-/// What the threads of a search hunt for: the best pose that is not excluded. Thread-safe.
-class Quarry {
+/// The best pose so far that is not excluded. Thread-safe.
+class Incumbent {
  public:
   /// `min_count` is at least 1.
-  explicit Quarry(std::int32_t min_count, std::optional<Surroundings> excluded = std::nullopt)
+  explicit Incumbent(std::int32_t min_count, std::optional<ExcludedNeighbourhood> excluded = std::nullopt)
       : threshold_(std::max(1, min_count)), excluded_(std::move(excluded)) {}
 
+  /// Matched cells without which no pose can take its place.
   std::int32_t threshold() const { return threshold_.load(std::memory_order_relaxed); }
 
-  bool hopeless(const SearchNode& node) const {
+  /// Whether no pose of the node can take its place.
+  bool prunes(const SearchNode& node) const {
     const std::int32_t threshold = this->threshold();
     return node.bound < threshold || (node.bound == threshold && comesAfterBest(node)) ||
-           (excluded_ && excluded_->holdAll(node));
+           (excluded_ && excluded_->contains(node));
   }
 
+  /// Takes the pose if it is better. It must not be excluded.
   void offer(const SearchPose& pose) {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (pose.count >= threshold_ && (!best_ || better(pose, *best_))) {
@@ -87,6 +90,7 @@ class Quarry {
     }
   }
 
+  /// Nothing when none reached the count that was asked for.
   std::optional<SearchPose> best() const {
     const std::lock_guard<std::mutex> lock(mutex_);
     return best_;
@@ -102,7 +106,7 @@ class Quarry {
   mutable std::mutex mutex_;
   std::atomic<std::int32_t> threshold_;  // of the best pose once there is one; that many are needed to be as good
   std::optional<SearchPose> best_;
-  std::optional<Surroundings> excluded_;
+  std::optional<ExcludedNeighbourhood> excluded_;
 };
 
 }  // namespace map_matcher
