@@ -21,8 +21,8 @@ std::string hitsText(const MatchResult& result, const MatchOptions& options) {
 std::string elsewhereText(const MatchResult& result) {
   std::ostringstream out;
   if (result.runner_up) {
-    out << "the best place elsewhere, " << text(result.runner_up->T_reference_session) << ", has a ratio of "
-        << result.runner_up->ratio;
+    out << (result.runner_up_proven ? "the best place elsewhere, " : "a place elsewhere, ")
+        << text(result.runner_up->T_reference_session) << ", has a ratio of " << result.runner_up->ratio;
   } else {
     out << "no place elsewhere comes closer to its ratio than " << result.margin;
   }
@@ -31,14 +31,15 @@ std::string elsewhereText(const MatchResult& result) {
 
 Verdict notCertified(const MatchResult& result, const MatchOptions& options) {
   std::ostringstream reason;
-  reason << "not proven within exact_deadline = " << options.exact_deadline << " s: ";
+  reason << "not proven in time (exact_deadline = " << options.exact_deadline << " s): ";
   if (result.hit_cells == 0) {
     reason << "no pose with a ratio of " << smallestHitRatio(options) << " was found so far";
   } else {
     reason << "so far " << hitsText(result, options);
   }
   if (result.certified) {
-    reason << ", the best of all, but " << elsewhereText(result) << ", so far";
+    reason << ", the best of all, but of other places it is only known that none comes closer to its ratio than "
+           << result.margin;
   } else {
     reason << ", and no pose has a ratio above " << result.upper_bound;
   }
@@ -72,15 +73,19 @@ Verdict judge(const MatchResult& result, const MatchOptions& options, Standing s
   if (result.certified && result.hit_cells < minCount(smallestHitRatio(options), result.total_cells)) {
     return belowAcceptanceRatio(result, options);
   }
-  if (result.certified && standing == Standing::kAgrees && options.follow_alignment &&
-      result.margin < options.min_margin) {
+  if (!result.certified) {
+    return notCertified(result, options);
+  }
+  const bool rivalled = result.runner_up && result.hit_ratio - result.runner_up->ratio < options.min_margin;
+  const bool ahead = !rivalled && result.runner_up_proven && result.margin >= options.min_margin;
+  if (!ahead && standing == Standing::kAgrees && options.follow_alignment) {
     return {MatchStatus::kMatched,
             hitsText(result, options) + ", the place of an earlier session map; " + elsewhereText(result)};
   }
-  if (result.runner_up && result.hit_ratio - result.runner_up->ratio < options.min_margin) {
+  if (rivalled) {
     return ambiguous(result, options);
   }
-  if (!result.certified || result.margin < options.min_margin) {
+  if (!ahead) {
     return notCertified(result, options);
   }
   if (standing == Standing::kContradicts && options.confirm_relocation) {

@@ -110,19 +110,21 @@ void BlockSearch::enter(const RotationBlock& block) {
   first_rotation_ = block.first_rotation;
 }
 
-/// Searches below the initial nodes of a block. False when the deadline passed before that.
-bool BlockSearch::searchBelow(const RotationBlock& block, Incumbent& incumbent) {
+std::int32_t BlockSearch::searchBelow(const RotationBlock& block, Incumbent& incumbent) {
   enter(block);
-  for (const RootNode& root : block.roots) {
-    if (root.bound < incumbent.threshold()) {
-      break;
-    }
-    if (!searchBelow(SearchNode{root.bound, root.rotation, root.first, levels_.nodes}, incumbent)) {
-      unsearched_bound_ = root.bound;
-      return false;
+  for (std::size_t k = 0; k < block.roots.size() && block.roots[k].bound >= incumbent.threshold(); ++k) {
+    const std::int32_t rest = searchBelow(nodeOf(block.roots[k]), incumbent);
+    if (rest > 0) {
+      return std::max(rest, boundOf(block, incumbent, k + 1));
     }
   }
-  return true;
+  return 0;
+}
+
+std::int32_t BlockSearch::boundOf(const RotationBlock& block, const Incumbent& incumbent, std::size_t first) const {
+  const auto promising = std::find_if(block.roots.begin() + static_cast<std::ptrdiff_t>(first), block.roots.end(),
+                                      [&](const RootNode& root) { return !incumbent.prunes(nodeOf(root)); });
+  return promising == block.roots.end() ? 0 : promising->bound;  // the best first
 }
 
 /// Translations that any rotation of the node may have.
@@ -138,8 +140,8 @@ SearchWindow BlockSearch::windowOf(int first_rotation, const BlockShape& shape) 
   return window;
 }
 
-/// Depth first, the best child first. False when the deadline passed.
-bool BlockSearch::searchBelow(const SearchNode& root, Incumbent& incumbent) {
+/// Depth first, the best child first. Bound of what the deadline left, 0 for nothing.
+std::int32_t BlockSearch::searchBelow(const SearchNode& root, Incumbent& incumbent) {
   nodes_.assign(1, root);
   while (!nodes_.empty()) {
     const SearchNode node = nodes_.back();
@@ -152,11 +154,21 @@ bool BlockSearch::searchBelow(const SearchNode& root, Incumbent& incumbent) {
       continue;
     }
     if (settings_.deadline.passed()) {
-      return false;
+      nodes_.push_back(node);
+      return boundOfRest(incumbent);
     }
     expand(node, incumbent.threshold());
   }
-  return true;
+  return 0;
+}
+
+/// Bound of the nodes at hand that the incumbent does not prune, 0 for none.
+std::int32_t BlockSearch::boundOfRest(const Incumbent& incumbent) const {
+  std::int32_t bound = 0;
+  for (const SearchNode& node : nodes_) {
+    bound = incumbent.prunes(node) ? bound : std::max(bound, node.bound);
+  }
+  return bound;
 }
 
 /// Adds the nodes kLevelsAtOnce levels below that reach `min_count`, the best last.

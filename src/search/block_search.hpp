@@ -2,6 +2,7 @@
 /// The part of an exact search that one thread does.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -31,6 +32,7 @@ struct RotationBlock {
   bool stored = false;  // whether `roots` holds its nodes, the best first
   std::int32_t best_bound = 0;
   std::vector<RootNode> roots;
+  std::optional<std::int32_t> rest;  // bound of what a search below them left, 0 for nothing; none: it was not begun
 };
 
 /// Work of one thread: scores initial nodes and searches below them, block by block.
@@ -42,15 +44,16 @@ class BlockSearch {
   std::int64_t nodesScored() const { return nodes_scored_; }
   std::int64_t nodesExpanded() const { return nodes_expanded_; }
 
-  /// Bound of what the deadline left of the last block [cells].
-  std::int32_t unsearchedBound() const { return unsearched_bound_; }
-
   /// Scores the initial nodes of a block and keeps those that reach `min_count`, the best first. False when the
   /// deadline passed before that.
   bool scoreRoots(RotationBlock& block, std::int32_t min_count);
 
-  /// Searches below the initial nodes of a block. False when the deadline passed before that.
-  bool searchBelow(const RotationBlock& block, Incumbent& incumbent);
+  /// Searches below the initial nodes of a block. Bound of what the deadline left of those that the incumbent does not
+  /// prune, 0 for nothing [cells].
+  std::int32_t searchBelow(const RotationBlock& block, Incumbent& incumbent);
+
+  /// Bound of the initial nodes of a block from `first` on that the incumbent does not prune, 0 for none [cells].
+  std::int32_t boundOf(const RotationBlock& block, const Incumbent& incumbent, std::size_t first = 0) const;
 
  private:
   SearchWindow windowOf(int first_rotation, const BlockShape& shape) const;
@@ -60,7 +63,9 @@ class BlockSearch {
                             std::vector<RootNode>& roots);
   bool scoreTile(const BlockShape& shape, int rotation, const Cell& first, const TileSize& size,
                  std::int32_t min_count);
-  bool searchBelow(const SearchNode& root, Incumbent& incumbent);
+  SearchNode nodeOf(const RootNode& root) const { return {root.bound, root.rotation, root.first, levels_.nodes}; }
+  std::int32_t searchBelow(const SearchNode& root, Incumbent& incumbent);
+  std::int32_t boundOfRest(const Incumbent& incumbent) const;
   void expand(const SearchNode& node, std::int32_t min_count);
   void addChildren(const SearchNode& node, const BlockShape& shape, int rotation, std::int32_t min_count);
   const WeightedCells& cellsOf(const BlockShape& shape, int rotation);
@@ -72,7 +77,6 @@ class BlockSearch {
   int first_rotation_ = 0;
   std::vector<std::optional<WeightedCells>> block_cells_;
   std::vector<SearchNode> nodes_;
-  std::int32_t unsearched_bound_ = 0;
   std::int64_t nodes_scored_ = 0;
   std::int64_t nodes_expanded_ = 0;
 };

@@ -179,6 +179,7 @@ class Certification {
 
   void conclude(const ExactOutcome& outcome, const std::optional<SearchPose>& start) {
     result_.certified = outcome.best_proven;
+    result_.runner_up_proven = outcome.runner_up_proven;
     result_.upper_bound = ratio(outcome.upper_bound);
     const std::optional<SearchPose>& best = outcome.best ? outcome.best : start;
     if (best) {

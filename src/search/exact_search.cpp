@@ -12,8 +12,12 @@
 namespace map_matcher {
 namespace {
 
-/// Initial nodes that are kept, 16 bytes each; those of further blocks are scored again when their turn comes.
-constexpr std::int64_t kMostStoredNodes = std::int64_t{1} << 23;
+/// What a search below the initial nodes found.
+struct Found {
+  std::optional<SearchPose> best;
+  std::int32_t bound = 0;  // no pose that was searched for has more matched cells
+  bool proven = false;     // whether `best` is the best of them, or nothing is
+};
 
 /// All threads of a search and what they share.
 class ExactSearch {
@@ -75,7 +79,7 @@ class ExactSearch {
         return false;
       }
       const auto size = static_cast<std::int64_t>(block.roots.size());
-      block.stored = (num_stored += size) <= kMostStoredNodes;
+      block.stored = (num_stored += size) <= settings_.most_stored_nodes;
       if (!block.stored) {
         num_stored -= size;
         block.roots = {};
@@ -91,45 +95,44 @@ class ExactSearch {
     return complete;
   }
 
-  /// Searches below all initial nodes that the incumbent does not prune. `unsearched` becomes a bound for what the
-  /// deadline left.
-  bool searchBlocks(Incumbent& incumbent, std::int32_t& unsearched) {
+  /// Searches below all initial nodes that the incumbent does not prune.
+  Found searchBlocks(Incumbent& incumbent) {
     Stopwatch watch;
-    std::atomic<std::int32_t> bound{0};
-    const bool complete = forEachBlock([&](BlockSearch& search, RotationBlock& block) {
-      if (block.best_bound < incumbent.threshold()) {
-        return true;
-      }
-      if (block.stored) {
-        return searchBelow(search, block, incumbent, bound);
-      }
-      RotationBlock again;
-      again.first_rotation = block.first_rotation;
-      if (search.scoreRoots(again, incumbent.threshold())) {
-        return searchBelow(search, again, incumbent, bound);
-      }
-      raise(bound, block.best_bound);
-      return false;
+    for (RotationBlock& block : blocks_) {
+      block.rest.reset();
+    }
+    forEachBlock([&](BlockSearch& search, RotationBlock& block) {
+      block.rest = searchBlock(search, block, incumbent);
+      return *block.rest == 0;
     });
-    // The blocks are sorted: none that was not begun has a higher bound than one that was not finished.
-    unsearched = bound;
+    // A deadline leaves nodes of the blocks that were at work, and blocks that were not begun.
+    std::int32_t rest = 0;
+    for (const RotationBlock& block : blocks_) {
+      rest = std::max(rest, boundOfRest(block, incumbent));
+    }
     outcome_.below_time += watch.lap();
-    return complete;
+    const std::optional<SearchPose> best = incumbent.best();
+    return {best, std::max(best ? best->count : incumbent.threshold() - 1, rest), rest < incumbent.threshold()};
   }
 
-  static bool searchBelow(BlockSearch& search, const RotationBlock& block, Incumbent& incumbent,
-                          std::atomic<std::int32_t>& unsearched) {
-    if (search.searchBelow(block, incumbent)) {
-      return true;
+  /// Bound of what the deadline left of a block, 0 for nothing.
+  static std::int32_t searchBlock(BlockSearch& search, const RotationBlock& block, Incumbent& incumbent) {
+    if (block.best_bound < incumbent.threshold()) {
+      return 0;
     }
-    raise(unsearched, search.unsearchedBound());
-    return false;
+    if (block.stored) {
+      return search.searchBelow(block, incumbent);
+    }
+    RotationBlock again;
+    again.first_rotation = block.first_rotation;
+    return search.scoreRoots(again, incumbent.threshold()) ? search.searchBelow(again, incumbent) : block.best_bound;
   }
 
-  static void raise(std::atomic<std::int32_t>& value, std::int32_t to) {
-    std::int32_t old = value;
-    while (old < to && !value.compare_exchange_weak(old, to)) {
+  std::int32_t boundOfRest(const RotationBlock& block, const Incumbent& incumbent) const {
+    if (block.rest) {
+      return *block.rest;
     }
+    return block.stored ? searches_.front().boundOf(block, incumbent) : block.best_bound;
   }
 
   std::int32_t bestThreshold() const { return std::max({1, problem_.min_count, problem_.known_count}); }
@@ -146,10 +149,10 @@ class ExactSearch {
       return;
     }
     Incumbent incumbent(threshold);
-    std::int32_t unsearched = 0;
-    outcome_.best_proven = searchBlocks(incumbent, unsearched);
-    outcome_.best = incumbent.best();
-    outcome_.upper_bound = std::max(outcome_.best ? outcome_.best->count : threshold - 1, unsearched);
+    const Found found = searchBlocks(incumbent);
+    outcome_.best = found.best;
+    outcome_.best_proven = found.proven;
+    outcome_.upper_bound = outcome_.runner_up_bound = found.bound;
   }
 
   void findRunnerUp() {
@@ -158,10 +161,10 @@ class ExactSearch {
       return;
     }
     Incumbent incumbent(threshold, ExcludedNeighbourhood(*outcome_.best, problem_));
-    std::int32_t unsearched = 0;
-    outcome_.runner_up_proven = searchBlocks(incumbent, unsearched);
-    outcome_.runner_up = incumbent.best();
-    outcome_.runner_up_bound = std::max(outcome_.runner_up ? outcome_.runner_up->count : threshold - 1, unsearched);
+    const Found found = searchBlocks(incumbent);
+    outcome_.runner_up = found.best;
+    outcome_.runner_up_proven = found.proven;
+    outcome_.runner_up_bound = std::min(found.bound, outcome_.best->count);
   }
 
   const ExactProblem& problem_;

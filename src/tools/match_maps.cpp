@@ -112,7 +112,7 @@ void printSummary(const MatchResult& result) {
   }
   if (result.total_cells > 0 && result.hit_cells > 0) {
     std::cout << "hit ratio " << result.hit_ratio << ", " << (result.certified ? "certified" : "not certified")
-              << ", upper bound " << result.upper_bound << ", margin " << (result.runner_up ? "" : "at least ")
+              << ", upper bound " << result.upper_bound << ", margin " << (result.runner_up && result.runner_up_proven ? "" : "at least ")
               << result.margin << '\n';
   }
   for (const StageReport& stage : result.stages) {

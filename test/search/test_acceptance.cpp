@@ -14,6 +14,7 @@ MatchResult convincing() {
   result.hit_ratio = 0.8;
   result.certified = true;
   result.upper_bound = 0.8;
+  result.runner_up_proven = true;
   result.margin = 0.1;
   return result;
 }
@@ -58,11 +59,46 @@ TEST(Acceptance, RefusesWhatAnotherPlaceEqualsAndNamesBothPlaces) {
 
 TEST(Acceptance, OneCompetitorIsEnoughEvenIfTheSearchForOthersWasCutShort) {
   MatchResult result = convincing();
-  result.certified = false;
   result.runner_up = RunnerUp{{7.25, 8.5, -0.5}, 0.79};
+  result.runner_up_proven = false;
   result.margin = 0.0;
 
   EXPECT_EQ(judge(result, {}).status, MatchStatus::kAmbiguous);
+  EXPECT_NE(reasonOf(result).find("a place elsewhere, (7.25 m"), std::string::npos) << reasonOf(result);
+  EXPECT_EQ(reasonOf(result).find("the best place elsewhere"), std::string::npos) << reasonOf(result);
+}
+
+TEST(Acceptance, CallsNothingAmbiguousThatABetterPlaceMayStandOutFrom) {
+  MatchResult result = convincing();
+  result.certified = result.runner_up_proven = false;
+  result.runner_up = RunnerUp{{7.25, 8.5, -0.5}, 0.79};
+  result.margin = 0.0;
+
+  EXPECT_EQ(judge(result, {}).status, MatchStatus::kNotCertified);
+}
+
+TEST(Acceptance, RefusesAMarginOfWhichTheRunnerUpIsNotProven) {
+  MatchResult result = convincing();
+  result.runner_up_proven = false;
+
+  EXPECT_EQ(judge(result, {}).status, MatchStatus::kNotCertified);
+  EXPECT_EQ(judge(result, {}, Standing::kContradicts).status, MatchStatus::kNotCertified);
+}
+
+TEST(Acceptance, NeedsNoMarginToFollowAnEarlierPlace) {
+  MatchResult unproven = convincing();
+  unproven.runner_up_proven = false;
+  unproven.margin = 0.0;
+  MatchResult rivalled = convincing();
+  rivalled.runner_up = RunnerUp{{7.25, 8.5, -0.5}, 0.79};
+  rivalled.margin = 0.01;
+  MatchResult uncertified = convincing();
+  uncertified.certified = uncertified.runner_up_proven = false;
+  uncertified.margin = 0.0;
+
+  EXPECT_EQ(judge(unproven, {}, Standing::kAgrees).status, MatchStatus::kMatched);
+  EXPECT_EQ(judge(rivalled, {}, Standing::kAgrees).status, MatchStatus::kMatched);
+  EXPECT_EQ(judge(uncertified, {}, Standing::kAgrees).status, MatchStatus::kNotCertified);
 }
 
 TEST(Acceptance, RefusesAShareOfHitsBelowTheLargerOfItsTwoLimits) {

@@ -24,10 +24,11 @@ enum class Standing {
 };
 
 /// kMatched when the result is certified, its hit ratio reaches smallestHitRatio() and its margin min_margin, and it
-/// contradicts no earlier map; else the first of these that fails. A place that agrees needs no margin with
-/// options.follow_alignment, and one that contradicts is kUnconfirmed with options.confirm_relocation. `result` has an
-/// answer of an exact search in it. A wrong pose that looks right is worse than none: what is not proven is not
-/// accepted.
+/// contradicts no earlier map; else the first of these that fails. The margin counts only once the runner-up is proven.
+/// A place that agrees needs no margin with options.follow_alignment, and one that contradicts is kUnconfirmed with
+/// options.confirm_relocation. `result` has an answer of an exact search in it. A wrong pose that looks right is worse
+/// than none: what is not proven is not accepted, and of a search that a deadline ended nothing is said that the whole
+/// search may not say.
 Verdict judge(const MatchResult& result, const MatchOptions& options, Standing standing = Standing::kFirst);
 
 }  // namespace map_matcher

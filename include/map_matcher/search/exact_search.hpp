@@ -37,17 +37,21 @@ struct ExactSettings {
   int threads = 1;                ///< At least 1.
   std::optional<int> root_level;  ///< Level of the initial nodes, at most that of the reference, with a look at nodes
                                   ///< one level above if there are any; else the cheapest.
+  std::int64_t most_stored_nodes = std::int64_t{1} << 23;  ///< Initial nodes that are kept, 16 bytes each; those of
+                                                           ///< further blocks are scored again when their turn comes.
   Deadline deadline;
   ScoreKernel kernel;
 };
 
-/// What a search found and what it took. Poses are ranked by count; among equal ones the first by rotation, then y,
+/// What a search found and what it took. All of it holds wherever a deadline ended the search: bounds are those of what
+/// was found and of all that was left. Poses are ranked by count; among equal ones the first by rotation, then y,
 /// then x, is the better one, so that the answer does not depend on the number of threads or the order of work.
 struct ExactOutcome {
-  std::optional<SearchPose> best;       ///< Nothing when no pose reaches min_count.
-  std::optional<SearchPose> runner_up;  ///< The best pose elsewhere; nothing when the gap to it is larger.
+  std::optional<SearchPose> best;       ///< Nothing when no pose reaches min_count; unless proven, the best so far.
+  std::optional<SearchPose> runner_up;  ///< The best pose elsewhere; nothing when the gap to it is larger, and unless
+                                        ///< `best` is proven; unless proven itself, the best so far.
   std::int32_t upper_bound = 0;         ///< No pose has more matched cells.
-  std::int32_t runner_up_bound = 0;     ///< No pose elsewhere has more matched cells; valid when `best` is proven.
+  std::int32_t runner_up_bound = 0;     ///< No pose elsewhere has more matched cells.
   bool best_proven = false;             ///< Whether `best` is the best of all, or nothing reaches min_count.
   bool runner_up_proven = false;        ///< The same for the runner-up. Both are true unless the deadline passed.
   bool stopped = false;                 ///< Whether the stop token was set before the proofs were complete.

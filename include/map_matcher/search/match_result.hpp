@@ -21,7 +21,7 @@ enum class MatchStatus {
   kTooFewSessionCells,    ///< The session map has fewer than min_session_cells occupied cells.
   kSessionTooLarge,       ///< The session map is too large for the search's arithmetic.
   kStopped,               ///< The stop token was set before there was an answer.
-  kNotCertified,          ///< The deadline came before the proof that no pose is better, or none elsewhere as good.
+  kNotCertified,          ///< The deadline came before the end of the search, or of its proof.
   kAmbiguous,             ///< A place elsewhere matches nearly as well.
   kUnconfirmed,           ///< The place is good enough, but another than that of an earlier map of the session.
   kRobotAstray,           ///< The map fits, but not where the robot is.
@@ -86,8 +86,12 @@ struct MatchResult {
   int hit_cells = 0;      ///< Session cells within hit_tolerance of a wall at the pose [cells]; 0 without exact search.
   double hit_ratio = 0.0;             ///< hit_cells / total_cells, which the exact search makes as large as can be.
   double upper_bound = 1.0;           ///< No pose has a larger hit ratio; equal to hit_ratio when kMatched.
-  std::optional<RunnerUp> runner_up;  ///< The best place elsewhere, unless it is worse by more than min_margin.
-  double margin = 0.0;                ///< hit_ratio less that of the runner-up; without one, margin is at least this.
+  std::optional<RunnerUp> runner_up;  ///< The best place elsewhere that was found, unless it is worse by more than
+                                      ///< min_margin; nothing unless certified.
+  bool runner_up_proven = false;      ///< Whether it is proven that no place elsewhere has more hits than runner_up;
+                                      ///< without one, that none comes within min_margin.
+  double margin = 0.0;  ///< No place elsewhere has a hit ratio above hit_ratio - margin; equal to hit_ratio less that
+                        ///< of the runner-up when that is proven, and 0 unless certified.
 
   Surroundings nearby;  ///< With MatchPrior::robot, of a map that fits; else without cells.
 
