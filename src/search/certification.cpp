@@ -84,12 +84,13 @@ class Certification {
   /// The rotations that the heading prior allows, all of them without one.
   RotationRange allowedRotations() const {
     const int all = static_cast<int>(std::lround(2.0 * M_PI / step_));
-    if (!prior_.heading || prior_.heading->half_width >= M_PI) {
+    if (!prior_.heading || !(prior_.heading->half_width < M_PI)) {
       return {0, all};
     }
-    const double middle = frames_.angleAt(prior_.heading->yaw);
-    const int first = static_cast<int>(std::ceil((middle - prior_.heading->half_width) / step_));
-    const int last = static_cast<int>(std::floor((middle + prior_.heading->half_width) / step_));
+    const double middle = frames_.angleAt(normalizeAngle(prior_.heading->yaw));
+    const double half_width = std::max(0.0, prior_.heading->half_width);
+    const int first = static_cast<int>(std::ceil((middle - half_width) / step_));
+    const int last = static_cast<int>(std::floor((middle + half_width) / step_));
     if (last < first) {  // a prior narrower than a step: the rotation nearest to it
       return {static_cast<int>(std::lround(middle / step_)), 1};
     }

@@ -260,6 +260,20 @@ TEST(Certification, HeadingPriorAsNarrowAsAStepStillHasARotation) {
   EXPECT_EQ(result.stages.back().rotations, 1);
 }
 
+TEST(Certification, HeadingPriorMayBeAnyNumberOfTurnsOff) {
+  const Scene scene(9);
+  for (const double turns : {16e6, -16e6, 1.0}) {
+    SCOPED_TRACE(std::to_string(turns) + " turns");
+    MatchPrior prior;
+    prior.heading = HeadingPrior{scene.truth.yaw + 2.0 * M_PI * turns, 0.1};
+
+    const MatchResult result = scene.match({}, prior);
+
+    ASSERT_TRUE(result.matched()) << result.reason;
+    EXPECT_LT(scene.error(result.T_reference_session), 0.15);
+  }
+}
+
 /// Walls everywhere, without any order: no bound tells one place from another.
 OccupancyGrid noise(std::uint32_t seed, int size) {
   std::mt19937 random(seed);

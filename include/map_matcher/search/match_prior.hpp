@@ -11,7 +11,7 @@ namespace map_matcher {
 
 /// Heading of the session map in the reference map.
 struct HeadingPrior {
-  double yaw = 0.0;         ///< Yaw of T_reference_session [rad].
+  double yaw = 0.0;         ///< Yaw of T_reference_session, finite [rad].
   double half_width = 3.2;  ///< Rotations farther from `yaw` are not searched [rad]; pi or more: all are searched.
 };
 
