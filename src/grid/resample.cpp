@@ -44,7 +44,7 @@ std::vector<Span> overlaps(int old_size, int new_size, double ratio) {
 
 }  // namespace
 
-OccupancyGrid resample(const OccupancyGrid& grid, double resolution) {
+OccupancyGrid resample(const OccupancyGrid& grid, double resolution, const std::function<void()>& before_row) {
   if (resolution == grid.resolution()) {
     return grid;
   }
@@ -59,6 +59,9 @@ OccupancyGrid resample(const OccupancyGrid& grid, double resolution) {
   const std::vector<Span> rows = overlaps(grid.height(), geometry.height, ratio);
   OccupancyGrid result(geometry);
   for (int y = 0; y < geometry.height; ++y) {
+    if (before_row) {
+      before_row();
+    }
     for (int old_y = rows[static_cast<std::size_t>(y)].first; old_y < rows[static_cast<std::size_t>(y)].last; ++old_y) {
       for (int x = 0; x < geometry.width; ++x) {
         const Span& span = columns[static_cast<std::size_t>(x)];

@@ -28,7 +28,12 @@ MatchResult ReferenceMatcher::search(const ReferenceMapPtr& reference, const Occ
     return result;
   }
   if (reference != reference_) {
-    matcher_.setReference(reference->grid);
+    if (!matcher_.setReference(reference->grid, stop)) {
+      MatchResult result;
+      result.status = MatchStatus::kStopped;
+      result.reason = "the search was stopped while the reference map was prepared";
+      return result;
+    }
     reference_ = reference;
   }
   return matcher_.match(session, prior, stop);

@@ -56,7 +56,7 @@ class Certification {
         step_(rotationStep(1.0, cells_.diagonal)),
         range_(allowedRotations()),
         rotations_(cells_, range_.first * step_, step_, range_.count, reference.exact().topLevel(),
-                   searchThreads(options)),
+                   searchThreads(options), deadline),
         problem_{reference.exact(), rotations_} {
     const int n = rotations_.numCells();
     problem_.windows = priorWindows();
@@ -293,7 +293,11 @@ MatchResult certify(const MatchResult& answer, const SearchReference& reference,
   if (deadline.passed()) {
     return outOfTime(answer, options, deadline);
   }
-  return Certification(reference, session, options, prior, deadline).run(answer);
+  try {
+    return Certification(reference, session, options, prior, deadline).run(answer);
+  } catch (const DeadlinePassed&) {
+    return outOfTime(answer, options, deadline);
+  }
 }
 
 }  // namespace map_matcher

@@ -60,7 +60,8 @@ class SquaredDistances {
 
 }  // namespace
 
-DistanceField::DistanceField(int width, int height, const std::vector<Cell>& walls, double farthest) {
+DistanceField::DistanceField(int width, int height, const std::vector<Cell>& walls, double farthest,
+                             const Deadline& deadline) {
   const int reach = std::clamp(static_cast<int>(std::ceil(farthest)), 1, kMostCells);
   border_ = reach + 4;  // beyond it, smoothing included, all is flat
   width_ = width + 2 * border_;
@@ -73,10 +74,12 @@ DistanceField::DistanceField(int width, int height, const std::vector<Cell>& wal
   }
   SquaredDistances distances(width_, height_, reach);
   for (int y = 0; y < height_; ++y) {
+    deadline.throwIfPassed();
     distances.setRow(y, columns[static_cast<std::size_t>(y)]);
   }
   values_.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
   for (int y = 0; y < height_; ++y) {
+    deadline.throwIfPassed();
     const std::vector<std::uint16_t>& squares = distances.row(y);
     std::transform(squares.begin(), squares.end(), values_.begin() + std::ptrdiff_t{y} * width_,
                    [](std::uint16_t square) { return 0.5F * static_cast<float>(square); });

@@ -33,44 +33,72 @@ MapMatcher::~MapMatcher() = default;
 MapMatcher::MapMatcher(MapMatcher&&) noexcept = default;
 MapMatcher& MapMatcher::operator=(MapMatcher&&) noexcept = default;
 
-void MapMatcher::setReference(OccupancyGrid reference) {
-  reference_ = std::make_shared<const OccupancyGrid>(std::move(reference));
-  buildSearchReference(reference_->resolution());
+bool MapMatcher::setReference(OccupancyGrid reference, const StopToken& stop) {
+  auto taken = std::make_shared<const OccupancyGrid>(std::move(reference));
+  Built built = build(*taken, taken->resolution(), stop);
+  if (!built.reference) {
+    return false;
+  }
+  reference_ = std::move(taken);
+  built_ = std::move(built);
+  return true;
 }
 
 MatchResult MapMatcher::match(const OccupancyGrid& session, const MatchPrior& prior, const StopToken& stop) {
-  const bool exact = options_.search == "exact";
-  return match(session, prior,
-               Deadline(exact ? options_.exact_deadline : std::numeric_limits<double>::infinity(), stop));
+  const std::optional<MatchResult> refusal = prepareFor(session, stop);
+  return refusal ? *refusal : search(session, prior, Deadline(options_.exact_deadline, stop));
 }
 
 MatchResult MapMatcher::match(const OccupancyGrid& session, const MatchPrior& prior, const Deadline& deadline) {
+  const std::optional<MatchResult> refusal = prepareFor(session, deadline.stop());
+  return refusal ? *refusal : search(session, prior, deadline);
+}
+
+/// Builds what the session map needs of the reference map, unless it is there. What there is to say when it is not
+/// then.
+std::optional<MatchResult> MapMatcher::prepareFor(const OccupancyGrid& session, const StopToken& stop) {
+  MatchResult refusal;
   if (!reference_) {
-    MatchResult result;
-    result.reason = "no reference map was set";
-    return result;
+    refusal.reason = "no reference map was set";
+    return refusal;
   }
   const double resolution = workingResolution(*reference_, session);
-  if (search_reference_->resolution() != resolution) {
-    buildSearchReference(resolution);
+  if (built_.reference->resolution() == resolution) {
+    return std::nullopt;
   }
+  Built built = build(*reference_, resolution, stop);
+  if (!built.reference) {
+    refusal.status = MatchStatus::kStopped;
+    refusal.reason = "the search was stopped while the reference map was prepared for the session map's resolution";
+    return refusal;
+  }
+  built_ = std::move(built);
+  return std::nullopt;
+}
+
+MatchResult MapMatcher::search(const OccupancyGrid& session, const MatchPrior& prior, const Deadline& deadline) const {
   Stopwatch watch;
-  const bool exact = options_.search == "exact";
-  const SearchSession search_session = searchSession(session, resolution, options_);
-  MatchResult result = twoStageSearch(*search_reference_, search_session, options_, prior, deadline);
-  if (exact) {
-    result = certify(result, *search_reference_, search_session, options_, prior, deadline);
-    checkRobot(result, *search_reference_, session, search_session, options_, prior);
+  const SearchReference& reference = *built_.reference;
+  const SearchSession search_session = searchSession(session, reference.resolution(), options_);
+  MatchResult result = twoStageSearch(reference, search_session, options_, prior, deadline);
+  if (options_.search == "exact") {
+    result = certify(result, reference, search_session, options_, prior, deadline);
+    checkRobot(result, reference, session, search_session, options_, prior);
   }
   result.search_time = watch.lap();
-  result.reference_time = reference_time_;
+  result.reference_time = built_.time;
   return result;
 }
 
-void MapMatcher::buildSearchReference(double resolution) {
+MapMatcher::Built MapMatcher::build(const OccupancyGrid& reference, double resolution, const StopToken& stop) const {
   Stopwatch watch;
-  search_reference_ = std::make_shared<const SearchReference>(*reference_, resolution, options_);
-  reference_time_ = watch.lap();
+  try {
+    const Deadline no_deadline(std::numeric_limits<double>::infinity(), stop);
+    auto built = std::make_shared<const SearchReference>(reference, resolution, options_, no_deadline);
+    return {std::move(built), watch.lap()};
+  } catch (const DeadlinePassed&) {
+    return {};
+  }
 }
 
 }  // namespace map_matcher

@@ -36,8 +36,8 @@ ParameterList exactParametersOf(MatchOptions& options) {
       {"min_nearby_walls", "",
        "and a smaller share of the reference map's walls there is in the session map; 0 to never say so.",
        &options.min_nearby_walls, 0.0, 1.0},
-      {"exact_deadline", "s", "Exact search: time after which a search ends without a proof.", &options.exact_deadline,
-       0.0, 3600.0},
+      {"exact_deadline", "s", "Time after which a search of either kind ends, without an answer or without its proof.",
+       &options.exact_deadline, 0.0, 3600.0},
   };
 }
 

@@ -43,17 +43,18 @@ void WallArray::draw(int x, int y) {
   }
 }
 
-void WallArray::growWindow(int old_window, int window) {
+void WallArray::growWindow(int old_window, int window, const Deadline& deadline) {
   for (int reached = old_window; reached < window;) {
     const int shift = std::min(reached, window - reached);
-    mergeShifted(shift);
+    mergeShifted(shift, deadline);
     reached += shift;
   }
 }
 
-void WallArray::mergeShifted(std::ptrdiff_t shift) {
+void WallArray::mergeShifted(std::ptrdiff_t shift, const Deadline& deadline) {
   std::vector<std::uint8_t> shifted(static_cast<std::size_t>(row_length_), 0);
   for (std::ptrdiff_t y = 0; y < num_rows_; ++y) {
+    deadline.throwIfPassed();
     std::uint8_t* row = values_.data() + y * row_length_;
     std::copy(row + shift, row + row_length_, shifted.begin());
     mergeRows(shifted.data(), row, row_length_);
@@ -63,7 +64,8 @@ void WallArray::mergeShifted(std::ptrdiff_t shift) {
   }
 }
 
-PooledLevel::PooledLevel(int level, int width, int height, const WallArray& pooled, int shift, int grain)
+PooledLevel::PooledLevel(int level, int width, int height, const WallArray& pooled, int shift, int grain,
+                         const Deadline& deadline)
     : level_(level),
       columns_(divideUp(width, 1 << level)),
       rows_(divideUp(height, 1 << level)),
@@ -76,6 +78,7 @@ PooledLevel::PooledLevel(int level, int width, int height, const WallArray& pool
   const int end_x = std::min(width, divideUp(pooled.width() + pooled.margin(), grain) + shift);
   const int end_y = std::min(height, divideUp(pooled.height() + pooled.margin(), grain) + shift);
   for (int y = first; y < end_y; ++y) {
+    deadline.throwIfPassed();
     const std::uint8_t* row = pooled.row((y - shift) * grain) - static_cast<std::ptrdiff_t>(shift) * grain;
     for (int phase = 0; phase < stride(); ++phase) {
       TileWord* target = &words_[address(phase, y)];
@@ -86,14 +89,15 @@ PooledLevel::PooledLevel(int level, int width, int height, const WallArray& pool
     }
   }
   for (std::ptrdiff_t phase = 0; phase < std::ptrdiff_t{1} << (2 * level); ++phase) {
-    spreadRows(phase);
+    spreadRows(phase, deadline);
   }
 }
 
 /// Gives each word of a phase, whose lowest bit is set by now, the bits of the rows above.
-void PooledLevel::spreadRows(std::ptrdiff_t phase) {
+void PooledLevel::spreadRows(std::ptrdiff_t phase, const Deadline& deadline) {
   TileWord* row = words_.data() + (phase + 1) * phase_size_ - row_length_;  // the last one, all zeros
   for (int j = rows_ - 1; j >= -kTileRows - 1; --j) {
+    deadline.throwIfPassed();
     const TileWord* above = row;
     row -= row_length_;
     for (int i = 0; i < row_length_; ++i) {
@@ -103,7 +107,7 @@ void PooledLevel::spreadRows(std::ptrdiff_t phase) {
 }
 
 PrecomputedGrids::PrecomputedGrids(int width, int height, const std::vector<Cell>& walls, int top_level,
-                                   int top_band_level)
+                                   int top_band_level, const Deadline& deadline)
     : width_(width), height_(height), first_wall_{width, height}, last_wall_{-1, -1} {
   if (width < 1 || height < 1) {
     throw std::invalid_argument("the reference map is " + std::to_string(width) + " x " + std::to_string(height) +
@@ -124,14 +128,14 @@ PrecomputedGrids::PrecomputedGrids(int width, int height, const std::vector<Cell
   WallArray band = pooled;
   for (int level = 0; level <= top_level; ++level) {
     if (level > 0) {
-      pooled.growWindow(1 << (level - 1), 1 << level);
+      pooled.growWindow(1 << (level - 1), 1 << level, deadline);
     }
-    levels_.emplace_back(level, width, height, pooled);
+    levels_.emplace_back(level, width, height, pooled, 0, 1, deadline);
   }
   constexpr int kShift = 2 * kBandReach;
   for (int level = 0; level <= top_band_level; ++level) {
-    band.growWindow(level == 0 ? 1 : (1 << (level - 1)) + kShift, (1 << level) + kShift);
-    band_levels_.emplace_back(level, width + kShift, height + kShift, band, kShift);
+    band.growWindow(level == 0 ? 1 : (1 << (level - 1)) + kShift, (1 << level) + kShift, deadline);
+    band_levels_.emplace_back(level, width + kShift, height + kShift, band, kShift, 1, deadline);
   }
 }
 

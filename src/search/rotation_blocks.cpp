@@ -36,7 +36,7 @@ void turnToCells(const float* x, const float* y, std::size_t size, const Turn& t
 }  // namespace
 
 RotationBlocks::RotationBlocks(const SessionCells& session, double first_angle, double step, int count, int top_level,
-                               int threads)
+                               int threads, const Deadline& deadline)
     : session_(session), first_angle_(first_angle), step_(step), count_(count) {
   const double farthest = farthestPoint(session);
   if (!(step > 0.0 && step * farthest <= 0.5)) {
@@ -44,8 +44,9 @@ RotationBlocks::RotationBlocks(const SessionCells& session, double first_angle, 
                                 std::to_string(step * farthest) + " cells, expected at most 0.5");
   }
   clusters_.resize(static_cast<std::size_t>(top_level));
-  parallelFor(threads, clusters_.size(),
-              [&](std::size_t n) { clusters_[n] = clustersOf(session, BlockShape{static_cast<int>(n) + 1}); });
+  parallelFor(threads, clusters_.size(), [&](std::size_t n) {
+    clusters_[n] = clustersOf(session, BlockShape{static_cast<int>(n) + 1}, deadline);
+  });
 }
 
 WeightedCells RotationBlocks::cells(const BlockShape& shape, int first_rotation) const {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <future>
+#include <optional>
 #include <vector>
 
 #include "map_matcher/grid/occupied_cells.hpp"
@@ -22,26 +23,33 @@ int exactTopLevel(double resolution) {
   return std::clamp(static_cast<int>(std::lround(std::log2(kWidestNode / resolution))), 1, kHighest);
 }
 
-SearchReference::SearchReference(const OccupancyGrid& reference, double resolution, const MatchOptions& options)
+SearchReference::SearchReference(const OccupancyGrid& reference, double resolution, const MatchOptions& options,
+                                 const Deadline& deadline)
     : fine_resolution_(resolution), coarse_resolution_(nearestHalving(resolution, options.coarse_resolution)) {
   const double offset = -options.reference_map_cell_offset * reference.resolution();
   T_reference_grid_ = reference.geometry().T_map_grid * Rigid2{offset, offset, 0.0};
   const auto threshold = static_cast<std::int8_t>(options.occupied_threshold);
-  const OccupancyGrid grid = resample(reference, resolution);
+  const auto before_row = [&deadline] { deadline.throwIfPassed(); };
+  const bool resampled = resolution != reference.resolution();
+  const std::optional<OccupancyGrid> at_resolution =
+      resampled ? std::make_optional(resample(reference, resolution, before_row)) : std::nullopt;
+  const OccupancyGrid& grid = resampled ? *at_resolution : reference;
   const std::vector<Cell> walls = occupiedCells(grid, threshold);
   std::vector<std::future<void>> others;
   if (options.search == "exact") {
     others.push_back(std::async(std::launch::async, [&] {
-      exact_.emplace(grid.width(), grid.height(), walls, options.hit_tolerance / resolution, exactTopLevel(resolution));
+      exact_.emplace(grid.width(), grid.height(), walls, options.hit_tolerance / resolution, exactTopLevel(resolution),
+                     deadline);
     }));
     others.push_back(std::async(std::launch::async, [&] {
-      walls_.emplace(grid.width(), grid.height(), walls, farthestThatMatters(options.hit_tolerance, resolution));
+      walls_.emplace(grid.width(), grid.height(), walls, farthestThatMatters(options.hit_tolerance, resolution),
+                     deadline);
     }));
   }
-  fine_.emplace(grid.width(), grid.height(), walls, kFineRootLevel);
-  const OccupancyGrid coarse = resample(reference, coarse_resolution_);
+  fine_.emplace(grid.width(), grid.height(), walls, kFineRootLevel, -1, deadline);
+  const OccupancyGrid coarse = resample(reference, coarse_resolution_, before_row);
   coarse_.emplace(coarse.width(), coarse.height(), occupiedCells(coarse, threshold), kCoarseRootLevel,
-                  kCoarseTopBandLevel);
+                  kCoarseTopBandLevel, deadline);
   for (std::future<void>& other : others) {
     other.get();
   }

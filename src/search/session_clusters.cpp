@@ -13,6 +13,9 @@ namespace {
 /// kMaxSessionDiagonal [cells].
 constexpr double kRounding = 0.02;
 
+/// Sets of more points are divided with a look at the deadline.
+constexpr std::ptrdiff_t kLookedAfter = 256;
+
 struct Cluster {
   Eigen::Vector2d middle;
   std::int32_t size;
@@ -21,8 +24,9 @@ struct Cluster {
 /// Halves sets of points until each fits into a window.
 class Clustering {
  public:
-  Clustering(const SessionCells& session, const BlockShape& shape)
-      : points_(session.points),
+  Clustering(const SessionCells& session, const BlockShape& shape, const Deadline& deadline)
+      : deadline_(deadline),
+        points_(session.points),
         arc_(shape.halfArc() / std::max(farthestPoint(session), 1e-9)),
         room_(0.5 * shape.room() - kRounding) {}
 
@@ -35,6 +39,9 @@ class Clustering {
   using Point = std::vector<Eigen::Vector2d>::iterator;
 
   void divide(Point begin, Point end) {
+    if (end - begin > kLookedAfter) {
+      deadline_.throwIfPassed();
+    }
     Eigen::Vector2d low = *begin;
     Eigen::Vector2d high = *begin;
     for (Point p = begin; p != end; ++p) {
@@ -65,6 +72,7 @@ class Clustering {
            });
   }
 
+  const Deadline& deadline_;
   std::vector<Eigen::Vector2d> points_;
   double arc_;   // that a cell at unit distance describes, to either side
   double room_;  // to either side
@@ -73,12 +81,12 @@ class Clustering {
 
 }  // namespace
 
-SessionClusters clustersOf(const SessionCells& session, const BlockShape& shape) {
+SessionClusters clustersOf(const SessionCells& session, const BlockShape& shape, const Deadline& deadline) {
   SessionClusters result;
   if (session.points.empty()) {
     return result;
   }
-  const std::vector<Cluster> clusters = inShuffledNeighbourhoods(Clustering(session, shape).run());
+  const std::vector<Cluster> clusters = inShuffledNeighbourhoods(Clustering(session, shape, deadline).run());
   std::int32_t largest = 0;
   for (const Cluster& cluster : clusters) {
     largest = std::max(largest, cluster.size);

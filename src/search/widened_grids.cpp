@@ -41,7 +41,8 @@ std::vector<Cell> disc(double tolerance, int reach) {
 
 }  // namespace
 
-WidenedGrids::WidenedGrids(int width, int height, const std::vector<Cell>& walls, double tolerance, int top_level)
+WidenedGrids::WidenedGrids(int width, int height, const std::vector<Cell>& walls, double tolerance, int top_level,
+                           const Deadline& deadline)
     : first_hit_{width, height}, last_hit_{-1, -1} {
   requireUsable(width, height, tolerance, top_level);
   const double useful_tolerance = std::min<double>(tolerance, width + height);
@@ -53,6 +54,7 @@ WidenedGrids::WidenedGrids(int width, int height, const std::vector<Cell>& walls
     if (wall.x < 0 || wall.y < 0 || wall.x >= width || wall.y >= height) {
       continue;
     }
+    deadline.throwIfPassed();
     for (const Cell& hit : hits) {
       pooled.draw(wall.x + hit.x, wall.y + hit.y);
     }
@@ -61,13 +63,13 @@ WidenedGrids::WidenedGrids(int width, int height, const std::vector<Cell>& walls
   }
   for (int level = 0; level <= top_level; ++level) {
     if (level > 0) {
-      pooled.growWindow(BlockShape{level - 1}.window(), BlockShape{level}.window());
+      pooled.growWindow(BlockShape{level - 1}.window(), BlockShape{level}.window(), deadline);
     }
     const BlockShape shape{level};
     const int phases = shape.level - shape.grainLevel();
     const int columns = (width + reach_) / shape.grain() + 1 + shift(level);
     const int rows = (height + reach_) / shape.grain() + 1 + shift(level);
-    levels_.emplace_back(phases, columns, rows, pooled, shift(level), shape.grain());
+    levels_.emplace_back(phases, columns, rows, pooled, shift(level), shape.grain(), deadline);
   }
 }
 

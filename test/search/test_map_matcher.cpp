@@ -2,11 +2,16 @@
 
 #include <random>
 #include <stdexcept>
+#include <string>
+#include <system_error>
 #include <thread>
 
 #include "map_matcher/search/map_matcher.hpp"
 #include "map_matcher/search/rotations.hpp"
+#include "map_matcher/search/search_reference.hpp"
 #include "support/ascii_map.hpp"
+#include "support/cut.hpp"
+#include "support/no_threads.hpp"
 #include "support/random_maps.hpp"
 
 namespace map_matcher {
@@ -325,6 +330,95 @@ TEST(MapMatcher, StopsBeforeAndDuringASearch) {
   searching.join();
 
   EXPECT_EQ(result.status, MatchStatus::kStopped);
+}
+
+TEST(MapMatcher, GivesUpBuildingWhatACoarserSessionMapNeedsWhenItIsStopped) {
+  const Scene fine(8);
+  const Scene coarse(8, {}, 0.1);
+  MapMatcher matcher;
+  matcher.setReference(fine.reference);
+  const MatchResult before = matcher.match(*fine.session);
+  StopToken stop;
+  stop.requestStop();
+
+  const MatchResult stopped = matcher.match(*coarse.session, {}, stop);
+  const MatchResult after = matcher.match(*fine.session);
+
+  EXPECT_EQ(stopped.status, MatchStatus::kStopped);
+  EXPECT_NE(stopped.reason.find("while the reference map was prepared"), std::string::npos) << stopped.reason;
+  EXPECT_EQ(after.reference_time, before.reference_time);  // it was not built again
+  EXPECT_EQ(after.T_reference_session.x, before.T_reference_session.x);
+  EXPECT_TRUE(matcher.match(*coarse.session).matched());
+}
+
+TEST(MapMatcher, KeepsTheReferenceMapBeforeWhenANewOneIsStopped) {
+  const Scene scene(8);
+  MapMatcher matcher;
+  StopToken stop;
+  stop.requestStop();
+
+  EXPECT_FALSE(matcher.setReference(scene.reference, stop));
+  EXPECT_FALSE(matcher.hasReference());
+
+  EXPECT_TRUE(matcher.setReference(scene.reference));
+  const MatchResult before = matcher.match(*scene.session);
+  EXPECT_FALSE(matcher.setReference(test::asciiMap({"#.", ".."}), stop));
+  EXPECT_EQ(matcher.match(*scene.session).reference_time, before.reference_time);
+  EXPECT_TRUE(before.matched());
+}
+
+TEST(MapMatcher, KeepsTheReferenceMapBeforeWhenANewOneThrows) {
+  const Scene scene(8);
+  MapMatcher matcher;
+  {
+    const test::NoThreads no_threads;
+    EXPECT_THROW(matcher.setReference(scene.reference), std::system_error);
+  }
+  EXPECT_FALSE(matcher.hasReference());
+  EXPECT_EQ(matcher.match(*scene.session).status, MatchStatus::kNoReference);
+
+  matcher.setReference(scene.reference);
+  const MatchResult before = matcher.match(*scene.session);
+  {
+    const test::NoThreads no_threads;
+    EXPECT_THROW(matcher.setReference(test::asciiMap({"####"})), std::system_error);
+  }
+  const MatchResult after = matcher.match(*scene.session);
+
+  ASSERT_TRUE(before.matched()) << before.reason;
+  EXPECT_EQ(after.T_reference_session.x, before.T_reference_session.x);
+  EXPECT_EQ(after.reference_time, before.reference_time);
+}
+
+TEST(MapMatcher, EndsTheTwoStagesAtTheDeadlineToo) {
+  const Scene scene(17);
+  MatchOptions options;
+  options.search = "two_stage";
+  options.exact_deadline = 0.0;
+
+  const MatchResult result = match(scene, options);
+
+  EXPECT_EQ(result.status, MatchStatus::kNotCertified);
+  EXPECT_NE(result.reason.find("the time was over in the coarse stage"), std::string::npos) << result.reason;
+}
+
+TEST(SearchReference, IsGivenUpAtEveryLookAtItsDeadlineOrWhole) {
+  const OccupancyGrid map = test::asciiMap({"####..#", "#.....#", "#..#..#", "#######"}, kResolution);
+  const MatchOptions options;
+  for (const double resolution : {kResolution, 0.08}) {
+    long look = 0;
+    for (bool whole = false; !whole;) {
+      const test::Cut cut(++look);
+      try {
+        const SearchReference reference(map, resolution, options, cut.deadline());
+        whole = true;
+        EXPECT_TRUE(reference.hasWalls());
+      } catch (const DeadlinePassed&) {
+        EXPECT_TRUE(cut.reached());
+      }
+    }
+    EXPECT_GT(look, 50);
+  }
 }
 
 TEST(MapMatcher, RejectsEveryOptionOutOfRangeByNameValueAndRange) {

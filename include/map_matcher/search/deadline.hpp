@@ -5,11 +5,18 @@
 #include <chrono>
 #include <functional>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 
 #include "map_matcher/search/stop_token.hpp"
 
 namespace map_matcher {
+
+/// Work was given up because its deadline passed.
+class DeadlinePassed : public std::runtime_error {
+ public:
+  DeadlinePassed() : std::runtime_error("the deadline passed") {}
+};
 
 /// A point in time on a clock that never goes back, or whatever else its maker takes for the end, or a stop from
 /// another thread. Once it has passed, it stays so. Thread-safe.
@@ -32,6 +39,14 @@ class Deadline {
 
   const StopToken& stop() const { return stop_; }         ///< The token that ends it before its time.
   bool stopped() const { return stop_.stopRequested(); }  ///< Whether the stop token was set.
+
+  /// Throws DeadlinePassed once it has passed: for what is of no use half done.
+  void throwIfPassed() const {
+    if (passed()) {
+      throw DeadlinePassed();
+    }
+  }
+
   bool passed() const { return stopped() || (limited_ && Clock::now() >= end_) || (is_over_ && is_over_()); }
 
  private:

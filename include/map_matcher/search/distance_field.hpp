@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "map_matcher/grid/grid_geometry.hpp"
+#include "map_matcher/search/deadline.hpp"
 
 namespace map_matcher {
 
@@ -23,8 +24,9 @@ class DistanceField {
   };
 
   /// Field of the walls of a map of width x height cells; walls beyond them do not count. Distances beyond `farthest`
-  /// [cells, at most 150 count] are all the same.
-  DistanceField(int width, int height, const std::vector<Cell>& walls, double farthest);
+  /// [cells, at most 150 count] are all the same. Throws DeadlinePassed when that comes before the end.
+  DistanceField(int width, int height, const std::vector<Cell>& walls, double farthest,
+                const Deadline& deadline = Deadline());
 
   std::size_t bytes() const { return values_.size() * sizeof(float); }  ///< Memory taken [bytes].
 

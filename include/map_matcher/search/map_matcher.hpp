@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "map_matcher/grid/occupancy_grid.hpp"
 #include "map_matcher/search/deadline.hpp"
@@ -28,25 +29,35 @@ class MapMatcher {
   const MatchOptions& options() const { return options_; }
 
   /// Takes a reference map of any resolution and origin and builds what the search needs of it; that is built again
-  /// only when session maps coarser than the reference arrive.
-  void setReference(OccupancyGrid reference);
+  /// only when session maps coarser than the reference arrive. When it is stopped, or throws, the reference map before
+  /// stays in use. Whether it was not stopped. Throws std::invalid_argument for a map too large for the search, and
+  /// std::system_error when no thread can be started.
+  bool setReference(OccupancyGrid reference, const StopToken& stop = {});
 
   bool hasReference() const { return reference_ != nullptr; }
 
   /// The pose of the session map in the reference map, or the reason why there is none. Both poses are those of the map
-  /// frames, so that the grids' origins, with their yaws, are taken into account. Returns within 50 ms of a stop.
+  /// frames, so that the grids' origins, with their yaws, are taken into account. Ends MatchOptions::exact_deadline
+  /// after it began; building what is needed of the reference map does not count. Returns within 50 ms of a stop.
   MatchResult match(const OccupancyGrid& session, const MatchPrior& prior = {}, const StopToken& stop = {});
 
   /// The same with a deadline of the caller's in place of MatchOptions::exact_deadline.
   MatchResult match(const OccupancyGrid& session, const MatchPrior& prior, const Deadline& deadline);
 
  private:
+  /// What is built of a reference map.
+  struct Built {
+    std::shared_ptr<const SearchReference> reference;  // nothing when it was stopped
+    double time = 0.0;                                 // that it took [s]
+  };
+
+  Built build(const OccupancyGrid& reference, double resolution, const StopToken& stop) const;
+  std::optional<MatchResult> prepareFor(const OccupancyGrid& session, const StopToken& stop);
+  MatchResult search(const OccupancyGrid& session, const MatchPrior& prior, const Deadline& deadline) const;
+
   MatchOptions options_;
   std::shared_ptr<const OccupancyGrid> reference_;
-  std::shared_ptr<const SearchReference> search_reference_;
-  double reference_time_ = 0.0;  // of building search_reference_ [s]
-
-  void buildSearchReference(double resolution);
+  Built built_;  // of reference_
 };
 
 }  // namespace map_matcher

@@ -25,7 +25,7 @@ struct MatchOptions {
   StageOptions fine{1.0, 0.1};
   double hit_tolerance = 0.05;  ///< [m] Exact: farthest that a session cell may be off a wall; 0 = on it.
   double min_hit_ratio = 0.6;   ///< Exact: smallest share of hits, beside the acceptance ratio, that is an answer.
-  double exact_deadline = 5.0;  ///< [s] Exact: longest time for a search, its proof included.
+  double exact_deadline = 5.0;  ///< [s] Longest time for a search, its proof included.
   double min_margin = 0.1;      ///< Exact: by how much the best ratio has to exceed that of the best place elsewhere.
   double distinct_distance = 1.0;  ///< [m] Exact: places farther apart are different ones,
   double distinct_angle = 0.2;     ///< [rad] as are headings farther apart.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "map_matcher/grid/grid_geometry.hpp"
+#include "map_matcher/search/deadline.hpp"
 
 namespace map_matcher {
 
@@ -27,8 +28,9 @@ class WallArray {
   void draw(int x, int y);
 
   /// Lets every value stand for the cells [x, x + window) x [y, y + window), from the `old_window` it stands for.
-  /// Values whose window would leave the array keep a smaller one; they lie in the margin beyond all walls.
-  void growWindow(int old_window, int window);
+  /// Values whose window would leave the array keep a smaller one; they lie in the margin beyond all walls. Throws
+  /// DeadlinePassed when that comes before the end.
+  void growWindow(int old_window, int window, const Deadline& deadline = Deadline());
 
   /// The row of values from x = 0 on; negative x reach into the margin.
   const std::uint8_t* row(int y) const { return values_.data() + index(0, y); }
@@ -41,7 +43,7 @@ class WallArray {
   std::ptrdiff_t index(int x, int y) const {
     return static_cast<std::ptrdiff_t>(y + margin_) * row_length_ + x + margin_;
   }
-  void mergeShifted(std::ptrdiff_t shift);
+  void mergeShifted(std::ptrdiff_t shift, const Deadline& deadline);
 
   int margin_;
   std::ptrdiff_t row_length_;
@@ -62,8 +64,9 @@ class PooledLevel {
  public:
   /// Takes the values for x in [1 - 2^level, width), y alike, from `pooled`: every grain-th one along both axes, of
   /// which number (-shift, -shift) becomes (0, 0); those beyond its margin are zero. Throws std::invalid_argument for a
-  /// level of more than 4 GiB.
-  PooledLevel(int level, int width, int height, const WallArray& pooled, int shift = 0, int grain = 1);
+  /// level of more than 2 GiB, and DeadlinePassed when that comes before the end.
+  PooledLevel(int level, int width, int height, const WallArray& pooled, int shift = 0, int grain = 1,
+              const Deadline& deadline = Deadline());
 
   int level() const { return level_; }
   int stride() const { return 1 << level_; }  ///< Translations a node of this level stands for, along an axis [cells].
@@ -89,7 +92,7 @@ class PooledLevel {
 
  private:
   static int clampTo(int value, int low, int high) { return value < low ? low : (value > high ? high : value); }
-  void spreadRows(std::ptrdiff_t phase);
+  void spreadRows(std::ptrdiff_t phase, const Deadline& deadline);
 
   int level_;
   int columns_;     // of a phase, without its border
@@ -109,8 +112,9 @@ class PrecomputedGrids {
   /// Pools the walls of a grid of width x height cells for the levels 0 to `top_level`, and for bands of rotations for
   /// the levels 0 to `top_band_level`, if that is not negative. Walls outside the grid are ignored. Throws
   /// std::invalid_argument for a size below 1 x 1, a level above 15, a negative top_level, or a map whose levels would
-  /// take more than 4 GiB each.
-  PrecomputedGrids(int width, int height, const std::vector<Cell>& walls, int top_level, int top_band_level = -1);
+  /// take more than 2 GiB each, and DeadlinePassed when that comes before the end.
+  PrecomputedGrids(int width, int height, const std::vector<Cell>& walls, int top_level, int top_band_level = -1,
+                   const Deadline& deadline = Deadline());
 
   int width() const { return width_; }    ///< [cells]
   int height() const { return height_; }  ///< [cells]

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "map_matcher/search/block_shape.hpp"
+#include "map_matcher/search/deadline.hpp"
 #include "map_matcher/search/session_cells.hpp"
 #include "map_matcher/search/session_clusters.hpp"
 #include "map_matcher/search/weighted_cells.hpp"
@@ -16,9 +17,9 @@ class RotationBlocks {
  public:
   /// Rotations first_angle + n * step, n = 0 ... count - 1 [rad]. The step moves no cell by more than half a cell, as
   /// that of eq. 4.2 with rotation_downsampling 1 does; else std::invalid_argument is thrown. Blocks of up to
-  /// 2^top_level rotations are prepared, on `threads` threads.
+  /// 2^top_level rotations are prepared, on `threads` threads. Throws DeadlinePassed when that comes before the end.
   RotationBlocks(const SessionCells& session, double first_angle, double step, int count, int top_level,
-                 int threads = 1);
+                 int threads = 1, const Deadline& deadline = Deadline());
 
   int count() const { return count_; }                                          ///< Number of rotations.
   double angle(int rotation) const { return first_angle_ + rotation * step_; }  ///< [rad]

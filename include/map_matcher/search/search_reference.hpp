@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "map_matcher/grid/occupancy_grid.hpp"
+#include "map_matcher/search/deadline.hpp"
 #include "map_matcher/search/distance_field.hpp"
 #include "map_matcher/search/match_options.hpp"
 #include "map_matcher/search/precomputed_grids.hpp"
@@ -23,8 +24,11 @@ class SearchReference {
   static constexpr int kFineRootLevel = 0;
 
   /// Pools `reference` at `resolution` [m] (its own, or a coarser one when the session map is coarser) for the fine
-  /// stage, and at the halving of it that is nearest to options.coarse_resolution for the coarse stage.
-  SearchReference(const OccupancyGrid& reference, double resolution, const MatchOptions& options);
+  /// stage, and at the halving of it that is nearest to options.coarse_resolution for the coarse stage. Throws
+  /// DeadlinePassed within 50 ms when that comes before the end, std::invalid_argument for a map too large for the
+  /// search and std::system_error when no thread can be started.
+  SearchReference(const OccupancyGrid& reference, double resolution, const MatchOptions& options,
+                  const Deadline& deadline = Deadline());
 
   double resolution() const { return fine_resolution_; }          ///< Of the fine stage [m].
   double coarseResolution() const { return coarse_resolution_; }  ///< Of the coarse stage [m].

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "map_matcher/search/block_shape.hpp"
+#include "map_matcher/search/deadline.hpp"
 #include "map_matcher/search/session_cells.hpp"
 #include "map_matcher/search/weighted_cells.hpp"
 
@@ -22,7 +23,8 @@ struct SessionClusters {
 
 /// The largest clusters whose cells all lie in the window of their middle at each rotation of a node of a level, by
 /// halving clusters that are too large. Cells near the session's centre move less when it turns, so that clusters are
-/// larger there. A rotation step moves the farthest cell by half a cell at most.
-SessionClusters clustersOf(const SessionCells& session, const BlockShape& shape);
+/// larger there. A rotation step moves the farthest cell by half a cell at most. Throws DeadlinePassed when that comes
+/// before the end.
+SessionClusters clustersOf(const SessionCells& session, const BlockShape& shape, const Deadline& deadline = Deadline());
 
 }  // namespace map_matcher

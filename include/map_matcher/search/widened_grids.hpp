@@ -17,8 +17,10 @@ class WidenedGrids {
   /// `tolerance` [cells, at least 0] of the centre of a wall; a tolerance beyond width + height counts as that. Hits
   /// beside the map count like those in it. Pools them for the levels 0 to `top_level`. Walls outside the grid are
   /// ignored. Throws std::invalid_argument for a size below 1 x 1, a tolerance that is negative or not finite, a level
-  /// outside [0, BlockShape::kMaxLevel], or a map whose levels would take more than 2 GiB each.
-  WidenedGrids(int width, int height, const std::vector<Cell>& walls, double tolerance, int top_level);
+  /// outside [0, BlockShape::kMaxLevel], or a map whose levels would take more than 2 GiB each, and DeadlinePassed
+  /// when that comes before the end.
+  WidenedGrids(int width, int height, const std::vector<Cell>& walls, double tolerance, int top_level,
+               const Deadline& deadline = Deadline());
 
   int topLevel() const { return static_cast<int>(levels_.size()) - 1; }
 
