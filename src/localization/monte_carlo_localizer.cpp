@@ -16,6 +16,7 @@
 #include <optional>
 #include <random>
 #include <stdexcept>
+#include <type_traits>
 
 #include "map_matcher/grid/resample.hpp"
 #include "map_matcher/parameters/option_check.hpp"
@@ -145,6 +146,16 @@ mrpt::obs::CObservation2DRangeScan::Ptr observationOf(const MountedScan& mounted
   return observation;
 }
 
+/// Older releases of MRPT, such as 2.1, take a plain pointer to the map, newer ones a shared one.
+template <typename Pointer>
+void setMetricMap(Pointer& pointer, const std::shared_ptr<mrpt::maps::COccupancyGridMap2D>& map) {
+  if constexpr (std::is_pointer_v<Pointer>) {
+    pointer = map.get();
+  } else {
+    pointer = map;
+  }
+}
+
 }  // namespace
 
 class MonteCarloLocalizer::Impl {
@@ -156,7 +167,7 @@ class MonteCarloLocalizer::Impl {
     map_ = toMrpt(is_fine ? resample(map, options.map_resolution) : map);
     computeLikelihoods(options, *map_);
     filter_ = filterOf(options);
-    particles_.options.metricMap = map_;
+    setMetricMap(particles_.options.metricMap, map_);
     configure(particles_.options.KLD_params, options);
     reset();
   }
