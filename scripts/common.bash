@@ -30,14 +30,15 @@ source_setup() {
   set -u
 }
 
-# Column of scripts/packages.txt for this system: 2 on Debian 12, 3 on Ubuntu 20.04.
+# Column of scripts/packages.txt for this system: 2 on Debian 12, 3 on Ubuntu 20.04, 4 on Debian 11.
 package_column() {
   local system
   system=$(. /etc/os-release && echo "$ID $VERSION_ID")
   case "$system" in
     'debian 12') echo 2 ;;
     'ubuntu 20.04') echo 3 ;;
-    *) fail "this system is '$system', expected Debian 12 or Ubuntu 20.04" ;;
+    'debian 11') echo 4 ;;
+    *) fail "this system is '$system', expected Debian 12, Ubuntu 20.04 or Debian 11" ;;
   esac
 }
 
