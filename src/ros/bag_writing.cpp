@@ -21,22 +21,20 @@ OutputFile begun(const std::string& path) {
 }  // namespace
 
 BagWriter::BagWriter(const std::string& path, rosbag::compression::CompressionType compression)
-    : path_(path), file_(begun(path)), bag_(std::make_unique<rosbag::Bag>()) {
+    : path_(path), file_(begun(path)), bag_(new rosbag::Bag) {
   access([&] {
     bag_->open(file_.pendingPath(), rosbag::bagmode::Write);
     bag_->setCompression(compression);
   });
 }
 
-BagWriter::~BagWriter() {
-  if (!bag_) {
+void BagWriter::GiveUp::operator()(rosbag::Bag* bag) const {
+  try {
+    bag->close();
+  } catch (const rosbag::BagException&) {
     return;
   }
-  try {
-    bag_->close();
-  } catch (const rosbag::BagException&) {
-    static_cast<void>(bag_.release());  // left alone: its destructor would close it again, and end the process
-  }
+  delete bag;
 }
 
 void BagWriter::copy(const rosbag::MessageInstance& message) {
@@ -45,8 +43,9 @@ void BagWriter::copy(const rosbag::MessageInstance& message) {
 }
 
 void BagWriter::close() {
-  access([&] { bag_->close(); });
-  bag_.reset();
+  rosbag::Bag* bag = bag_.release();  // one that failed to close must not be closed again
+  access([bag] { bag->close(); });
+  delete bag;
   try {
     file_.commit();
   } catch (const OutputFileError& error) {

@@ -14,18 +14,13 @@
 
 namespace map_matcher {
 
-/// A bag that is written under a pending name (OutputFile) and takes its own when it is closed.
+/// A bag that is written under a pending name (OutputFile) and takes its own when it is closed. Nothing is left behind
+/// of one that is not.
 class BagWriter {
  public:
   /// Throws BagError when the bag cannot be written.
   explicit BagWriter(const std::string& path,
                      rosbag::compression::CompressionType compression = rosbag::compression::Uncompressed);
-
-  /// Leaves nothing behind unless the bag was closed.
-  ~BagWriter();
-
-  BagWriter(const BagWriter&) = delete;
-  BagWriter& operator=(const BagWriter&) = delete;
 
   /// Adds a message. Throws BagError when it cannot be written.
   template <typename Message>
@@ -41,11 +36,16 @@ class BagWriter {
   void close();
 
  private:
+  /// Gives up a bag. One that cannot be closed is left alone: its destructor would try again, and end the process.
+  struct GiveUp {
+    void operator()(rosbag::Bag* bag) const;
+  };
+
   void access(const std::function<void()>& action) const;
 
   std::string path_;
   OutputFile file_;
-  std::unique_ptr<rosbag::Bag> bag_;
+  std::unique_ptr<rosbag::Bag, GiveUp> bag_;
 };
 
 }  // namespace map_matcher
