@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 #include <vector>
 
+#include "map_matcher/files/output_file.hpp"
 #include "map_matcher/grid/occupied_cells.hpp"
 #include "map_matcher/search/matched_cells.hpp"
 
@@ -102,15 +104,17 @@ void writeOverlayImage(const std::string& path, const OccupancyGrid& reference, 
   cv::Mat image = drawReference(reference, view, occupied_threshold);
   drawCells(image, unmatched, view, kUnmatchedColour);
   drawCells(image, matched, view, kMatchedColour);
-  bool written = false;
+  std::vector<std::uint8_t> bytes;
+  bool is_encoded = false;
   try {
-    written = cv::imwrite(path, image);
+    is_encoded = cv::imencode(std::filesystem::path(path).extension().string(), image, bytes);
   } catch (const cv::Exception&) {
-    written = false;
+    is_encoded = false;
   }
-  if (!written) {
-    throw std::runtime_error("picture '" + path + "' cannot be written; expected a writable path ending in .png");
+  if (!is_encoded) {
+    throw std::runtime_error("picture '" + path + "' cannot be written; expected a path ending in .png");
   }
+  writeFile(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
 }  // namespace map_matcher

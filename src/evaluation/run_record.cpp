@@ -2,6 +2,7 @@
 
 #include <iomanip>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 namespace map_matcher {
 namespace {
@@ -14,11 +15,31 @@ void writePose(std::ostream& out, const std::optional<Rigid2>& pose) {
   }
 }
 
-nlohmann::ordered_json jsonOf(const std::optional<double>& value) {
-  return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
+std::string lineOf(const RunRow& row) {
+  std::ostringstream out;
+  out << std::setprecision(15) << row.sample.time;
+  writePose(out, row.sample.truth);
+  writePose(out, row.sample.estimate);
+  if (row.sample.estimate) {
+    const PoseError error = errorOf(*row.sample.estimate, row.sample.truth);
+    out << ',' << error.translation << ',' << error.rotation;
+  } else {
+    out << ",,";
+  }
+  writePose(out, row.T_reference_session);
+  out << ',';
+  if (row.ratio) {
+    out << *row.ratio;
+  }
+  out << '\n';
+  return out.str();
 }
 
-nlohmann::ordered_json jsonOf(const std::optional<ErrorStatistics>& statistics) {
+nlohmann::json jsonOf(const std::optional<double>& value) {
+  return value ? nlohmann::json(*value) : nlohmann::json(nullptr);
+}
+
+nlohmann::json jsonOf(const std::optional<ErrorStatistics>& statistics) {
   if (!statistics) {
     return nullptr;
   }
@@ -31,59 +52,59 @@ nlohmann::ordered_json jsonOf(const std::optional<ErrorStatistics>& statistics) 
 
 }  // namespace
 
-RunRecord::RunRecord(const std::string& csv_path) : path_(csv_path) {
-  if (path_.empty()) {
+RunRecord::RunRecord(const std::string& csv_path) {
+  if (csv_path.empty()) {
     return;
   }
-  file_.open(path_);
-  file_ << "time,truth_x,truth_y,truth_yaw,estimate_x,estimate_y,estimate_yaw,translation_error,rotation_error,"
-           "session_x,session_y,session_yaw,ratio\n"
-        << std::setprecision(15);
-  if (!file_.flush()) {
-    throw RunRecordError("file '" + path_ + "' cannot be written");
+  try {
+    file_.emplace(csv_path);
+    file_->write(
+        "time,truth_x,truth_y,truth_yaw,estimate_x,estimate_y,estimate_yaw,translation_error,rotation_error,"
+        "session_x,session_y,session_yaw,ratio\n");
+  } catch (const OutputFileError& error) {
+    throw RunRecordError(error.what());
   }
 }
 
 void RunRecord::add(const RunRow& row) {
   samples_.push_back(row.sample);
-  if (path_.empty()) {
+  if (!file_) {
     return;
   }
-  file_ << row.sample.time;
-  writePose(file_, row.sample.truth);
-  writePose(file_, row.sample.estimate);
-  if (row.sample.estimate) {
-    const PoseError error = errorOf(*row.sample.estimate, row.sample.truth);
-    file_ << ',' << error.translation << ',' << error.rotation;
-  } else {
-    file_ << ",,";
+  try {
+    file_->write(lineOf(row));
+  } catch (const OutputFileError& error) {
+    throw RunRecordError(error.what());
   }
-  writePose(file_, row.T_reference_session);
-  file_ << ',';
-  if (row.ratio) {
-    file_ << *row.ratio;
+}
+
+void RunRecord::complete() {
+  if (!file_) {
+    return;
   }
-  file_ << '\n';
-  if (!file_.flush()) {
-    throw RunRecordError("file '" + path_ + "' cannot be written");
+  try {
+    file_->commit();
+    file_.reset();
+  } catch (const OutputFileError& error) {
+    throw RunRecordError(error.what());
   }
 }
 
 std::string toJson(const TrajectoryError& error) {
-  const nlohmann::ordered_json json = {{"samples", error.samples},
-                                       {"estimates", error.estimates},
-                                       {"time_to_first_estimate", jsonOf(error.time_to_first_estimate)},
-                                       {"worst_time", jsonOf(error.worst_time)},
-                                       {"translation", jsonOf(error.translation)},
-                                       {"rotation", jsonOf(error.rotation)}};
+  const nlohmann::json json = {{"samples", error.samples},
+                               {"estimates", error.estimates},
+                               {"time_to_first_estimate", jsonOf(error.time_to_first_estimate)},
+                               {"worst_time", jsonOf(error.worst_time)},
+                               {"translation", jsonOf(error.translation)},
+                               {"rotation", jsonOf(error.rotation)}};
   return json.dump(2);
 }
 
 void writeSummary(const TrajectoryError& error, const std::string& path) {
-  std::ofstream file(path);
-  file << toJson(error) << '\n';
-  if (!file.flush()) {
-    throw RunRecordError("file '" + path + "' cannot be written");
+  try {
+    writeFile(path, toJson(error) + '\n');
+  } catch (const OutputFileError& problem) {
+    throw RunRecordError(problem.what());
   }
 }
 

@@ -3,10 +3,11 @@
 #include <yaml-cpp/yaml.h>
 
 #include <cmath>
-#include <fstream>
+#include <sstream>
 #include <system_error>
 #include <vector>
 
+#include "map_matcher/grid/map_limits.hpp"
 #include "map_matcher/parameters/number_text.hpp"
 
 namespace map_matcher {
@@ -80,18 +81,21 @@ class DescriptionReader {
   }
 
   double readResolution() const {
-    const char* expected = "a positive number of metres per cell";
+    const std::string expected = "a positive number of metres per cell, " + numberText(kMinMapResolution) + " to " +
+                                 numberText(kMaxMapResolution);
     const auto value = get<double>("resolution", expected);
-    if (!std::isfinite(value) || value <= 0.0) {
+    if (!(value >= kMinMapResolution && value <= kMaxMapResolution)) {
       fail("resolution", text("resolution"), expected);
     }
     return value;
   }
 
   Rigid2 readOrigin() const {
-    const char* expected = "[x, y, yaw], three finite numbers in metres and radians";
+    const std::string expected =
+        "[x, y, yaw], three finite numbers in metres and radians, x and y within " + numberText(kMaxMapOrigin) + " m";
     const auto values = get<std::vector<double>>("origin", expected);
-    if (values.size() != 3 || !std::isfinite(values[0]) || !std::isfinite(values[1]) || !std::isfinite(values[2])) {
+    if (values.size() != 3 || !(std::abs(values[0]) <= kMaxMapOrigin) || !(std::abs(values[1]) <= kMaxMapOrigin) ||
+        !std::isfinite(values[2])) {
       fail("origin", text("origin"), expected);
     }
     return {values[0], values[1], normalizeAngle(values[2])};
@@ -151,17 +155,15 @@ std::string quoted(const std::string& text) {
 
 MapDescription readDescription(const std::string& yaml_path) { return DescriptionReader(yaml_path).read(); }
 
-void writeDescription(const GridGeometry& geometry, MapMode mode, const fs::path& image, const fs::path& yaml_path) {
+std::string descriptionText(const GridGeometry& geometry, MapMode mode, const fs::path& image) {
   const Rigid2& origin = geometry.T_map_grid;
-  std::ofstream out(yaml_path);
+  std::ostringstream out;
   out << "image: " << quoted(image.filename().string()) << "\nresolution: " << numberText(geometry.resolution)
       << "\norigin: [" << numberText(origin.x) << ", " << numberText(origin.y) << ", " << numberText(origin.yaw)
       << "]\nnegate: 0\noccupied_thresh: " << numberText(kSavedOccupiedThreshold)
       << "\nfree_thresh: " << numberText(kSavedFreeThreshold)
       << "\nmode: " << (mode == MapMode::kRaw ? "raw" : "trinary") << "\n";
-  if (!out.flush()) {
-    throw MapFileError("map file '" + yaml_path.string() + "' cannot be written");
-  }
+  return out.str();
 }
 
 }  // namespace map_matcher

@@ -22,8 +22,7 @@ struct MapDescription {
 /// Reads and checks every key. Throws MapFileError that names the file, the key, its value and what was expected.
 MapDescription readDescription(const std::string& yaml_path);
 
-/// Writes the YAML file for an image in the same directory. Throws MapFileError.
-void writeDescription(const GridGeometry& geometry, MapMode mode, const std::filesystem::path& image,
-                      const std::filesystem::path& yaml_path);
+/// The YAML file for an image in the same directory.
+std::string descriptionText(const GridGeometry& geometry, MapMode mode, const std::filesystem::path& image);
 
 }  // namespace map_matcher

@@ -4,9 +4,13 @@
 #include <filesystem>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
+#include <optional>
 #include <system_error>
 
+#include "image_size.hpp"
 #include "map_description.hpp"
+#include "map_matcher/files/output_file.hpp"
+#include "map_matcher/grid/map_limits.hpp"
 
 namespace map_matcher {
 namespace {
@@ -27,6 +31,13 @@ cv::Mat decode(const fs::path& path) {
   }
 }
 
+void requireFewPixels(std::int64_t width, std::int64_t height, const std::string& context) {
+  if (height > 0 && width > kMostMapCells / height) {
+    throw MapFileError(context + "has " + std::to_string(width) + " x " + std::to_string(height) +
+                       " pixels, expected at most " + std::to_string(kMostMapCells) + " in all");
+  }
+}
+
 /// Image with 8 bits a channel and 1, 3 or 4 channels.
 cv::Mat readImage(const fs::path& path, const std::string& yaml_path) {
   const std::string context = "map file '" + yaml_path + "': image '" + path.string() + "' ";
@@ -34,12 +45,16 @@ cv::Mat readImage(const fs::path& path, const std::string& yaml_path) {
   if (!fs::is_regular_file(path, unreadable)) {
     throw MapFileError(context + "does not exist or is not a file");
   }
+  if (const std::optional<ImageSize> size = imageSize(path)) {
+    requireFewPixels(size->width, size->height, context);
+  }
   cv::Mat image = decode(path);
   if (image.empty()) {
     throw MapFileError(context +
                        "cannot be decoded or has no pixels; expected a PGM, PNG or BMP of at least 1 x 1 and " +
-                       "at most 2^20 pixels a side, 2^30 in all");
+                       "at most 2^20 pixels a side");
   }
+  requireFewPixels(image.cols, image.rows, context);
   if (image.depth() == CV_16U) {
     image.convertTo(image, CV_8U, 1.0 / 257.0);
   }
@@ -99,6 +114,18 @@ std::uint8_t greyOf(std::int8_t value, MapMode mode) {
   return value >= kFree && value < kSavedFreeBelow ? kFreeGrey : kUnknownGrey;
 }
 
+/// The grid as a PGM file.
+std::string imageBytes(const OccupancyGrid& grid, MapMode mode) {
+  std::string bytes = "P5\n" + std::to_string(grid.width()) + " " + std::to_string(grid.height()) + "\n255\n";
+  bytes.reserve(bytes.size() + grid.values().size());
+  for (int y = grid.height() - 1; y >= 0; --y) {
+    for (int x = 0; x < grid.width(); ++x) {
+      bytes.push_back(static_cast<char>(greyOf(grid.at(x, y), mode)));
+    }
+  }
+  return bytes;
+}
+
 }  // namespace
 
 OccupancyGrid loadMap(const std::string& yaml_path) {
@@ -118,31 +145,30 @@ OccupancyGrid loadMap(const std::string& yaml_path) {
   return grid;
 }
 
+std::string imageNamedBy(const std::string& yaml_path) { return readDescription(yaml_path).image.string(); }
+
+std::string imageWrittenWith(const std::string& yaml_path) {
+  return fs::path(yaml_path).replace_extension(".pgm").string();
+}
+
 void saveMap(const OccupancyGrid& grid, const std::string& yaml_path, MapMode mode) {
   if (mode == MapMode::kScale) {
     throw MapFileError("map file '" + yaml_path + "': mode scale cannot be written, expected trinary or raw");
   }
-  const fs::path image_path = fs::path(yaml_path).replace_extension(".pgm");
-  if (image_path == yaml_path) {
+  const std::string image_path = imageWrittenWith(yaml_path);
+  if (isSameFile(image_path, yaml_path)) {
     throw MapFileError("map file '" + yaml_path + "' has the name of its image, expected a name ending in .yaml");
   }
-  cv::Mat image(grid.height(), grid.width(), CV_8UC1);
-  for (int y = 0; y < grid.height(); ++y) {
-    std::uint8_t* row = image.ptr<std::uint8_t>(grid.height() - 1 - y);
-    for (int x = 0; x < grid.width(); ++x) {
-      row[x] = greyOf(grid.at(x, y), mode);
-    }
-  }
-  bool written = false;
   try {
-    written = cv::imwrite(image_path.string(), image);
-  } catch (const cv::Exception&) {
-    written = false;
+    OutputFile image(image_path);
+    OutputFile description(yaml_path);
+    image.write(imageBytes(grid, mode));
+    description.write(descriptionText(grid.geometry(), mode, image_path));
+    image.commit();
+    description.commit();
+  } catch (const OutputFileError& error) {
+    throw MapFileError(error.what());
   }
-  if (!written) {
-    throw MapFileError("image '" + image_path.string() + "' cannot be written");
-  }
-  writeDescription(grid.geometry(), mode, image_path, yaml_path);
 }
 
 }  // namespace map_matcher

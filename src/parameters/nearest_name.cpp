@@ -1,6 +1,7 @@
 #include "map_matcher/parameters/nearest_name.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <string_view>
 #include <vector>
@@ -26,14 +27,22 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-std::optional<std::string> nearestName(const std::string& name, const ParameterList& parameters) {
-  const auto distance = [&name](const Parameter& known) { return editDistance(name, known.name); };
-  const auto nearest = std::min_element(parameters.begin(), parameters.end(),
-                                        [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
-  if (nearest == parameters.end() || 3 * distance(*nearest) > std::max(name.size(), nearest->name.size())) {
+std::optional<std::string> nearestName(const std::string& name, const std::vector<std::string>& known) {
+  const auto distance = [&name](const std::string& other) { return editDistance(name, other); };
+  const auto nearest = std::min_element(known.begin(), known.end(), [&](const std::string& a, const std::string& b) {
+    return distance(a) < distance(b);
+  });
+  if (nearest == known.end() || 3 * distance(*nearest) > std::max(name.size(), nearest->size())) {
     return std::nullopt;
   }
-  return nearest->name;
+  return *nearest;
+}
+
+std::optional<std::string> nearestName(const std::string& name, const ParameterList& parameters) {
+  std::vector<std::string> known;
+  std::transform(parameters.begin(), parameters.end(), std::back_inserter(known),
+                 [](const Parameter& parameter) { return parameter.name; });
+  return nearestName(name, known);
 }
 
 }  // namespace map_matcher

@@ -36,14 +36,14 @@ class BagMapping {
     tf_.takeStatic(bag_);
     const ros::Time first = result_.begin + ros::Duration(std::max(0.0, request_.from - BagScanQueue::kPatience));
     rosbag::View view(bag_, rosbag::TopicQuery({std::string("/tf"), result_.scan_topic}), first, last());
-    for (const rosbag::MessageInstance& message : view) {
+    forEachMessage(bag_, view, [this](const rosbag::MessageInstance& message) {
       if (const auto transforms = message.instantiate<tf2_msgs::TFMessage>()) {
         tf_.take(*transforms);
       } else if (const auto scan = message.instantiate<sensor_msgs::LaserScan>()) {
         enqueue(scan, message.getTime());
       }
       queue_.release(message.getTime());
-    }
+    });
     queue_.releaseAll();
     result_.scans_without_tf = queue_.withoutTransforms();
     result_.scans_refused = queue_.refused();

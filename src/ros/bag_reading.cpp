@@ -2,10 +2,17 @@
 
 #include <geometry_msgs/PoseArray.h>
 #include <map_matcher/PersonDetections.h>
+#include <ros/exception.h>
 #include <rosbag/view.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <new>
+#include <system_error>
 
+#include "map_matcher/parameters/number_text.hpp"
 #include "map_matcher/ros/conversions.hpp"
 #include "map_matcher/ros/detection_messages.hpp"
 
@@ -15,6 +22,27 @@ namespace {
 const char* const kScanType = "sensor_msgs/LaserScan";
 const char* const kPosesType = "geometry_msgs/PoseArray";
 const char* const kDetectionsType = "map_matcher/PersonDetections";
+const char* const kMagic = "#ROSBAG V";
+const char* const kRepair = "; rosbag reindex or rosbag fix may save what is good, else record it anew";
+
+/// What can be said of a file before rosbag looks at it.
+void requireBagFile(const std::string& path) {
+  std::error_code unreadable;
+  if (std::filesystem::is_directory(path, unreadable)) {
+    throw BagError("bag '" + path + "' cannot be read: it is a directory");
+  }
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  if (!file) {
+    throw BagError("bag '" + path + "' cannot be read: " + std::generic_category().message(errno));
+  }
+  std::string line;
+  std::getline(file, line);
+  if (line.rfind(kMagic, 0) != 0) {
+    throw BagError("file '" + path + "' is " + (line.empty() ? "empty or no bag" : "no bag") +
+                   ", expected one that begins with " + kMagic);
+  }
+}
 
 }  // namespace
 
@@ -102,12 +130,38 @@ void requireTransforms(const std::string& bag, const BagTopics& topics, const st
 }
 
 void openBag(rosbag::Bag& bag, const std::string& path) {
+  requireBagFile(path);
   try {
     bag.open(path, rosbag::bagmode::Read);
   } catch (const rosbag::BagUnindexedException&) {
     throw BagError("bag '" + path + "' has no index, expected a bag that was closed; rosbag reindex repairs it");
-  } catch (const rosbag::BagException& error) {
-    throw BagError("bag '" + path + "' cannot be read: " + error.what());
+  } catch (const ros::Exception& error) {
+    throw BagError("bag '" + path + "' is damaged: " + error.what() + kRepair);
+  } catch (const std::bad_alloc& error) {
+    throw BagError("bag '" + path + "' is damaged: " + error.what() + kRepair);
+  } catch (const std::length_error& error) {
+    throw BagError("bag '" + path + "' is damaged: " + error.what() + kRepair);
+  }
+}
+
+void forEachMessage(const rosbag::Bag& bag, rosbag::View& view,
+                    const std::function<void(const rosbag::MessageInstance&)>& use) {
+  std::string place = "its first message";
+  const auto damaged = [&](const std::exception& error) {
+    return BagError("bag '" + bag.getFileName() + "' is damaged at " + place + ": " + error.what() + kRepair);
+  };
+  try {
+    for (const rosbag::MessageInstance& message : view) {
+      place =
+          "a message of topic '" + message.getTopic() + "' recorded at " + numberText(message.getTime().toSec()) + " s";
+      use(message);
+    }
+  } catch (const ros::Exception& error) {
+    throw damaged(error);
+  } catch (const std::bad_alloc& error) {  // a length that is none
+    throw damaged(error);
+  } catch (const std::length_error& error) {
+    throw damaged(error);
   }
 }
 

@@ -5,8 +5,10 @@
 #include <sensor_msgs/LaserScan.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "map_matcher/ros/bag_transforms.hpp"
+#include "map_matcher/ros/bag_writing.hpp"
 #include "map_matcher/ros/conversions.hpp"
 #include "map_matcher/ros/detection_messages.hpp"
 #include "map_matcher/ros/waiting_scans.hpp"
@@ -50,7 +52,7 @@ class BagScrubbing {
   BagScrubbingResult run() {
     tf_.takeStatic(bag_);
     rosbag::View view(bag_);
-    for (const rosbag::MessageInstance& message : view) {
+    forEachMessage(bag_, view, [this](const rosbag::MessageInstance& message) {
       copy(message);
       const std::string& topic = message.getTopic();
       if (topic == "/tf") {
@@ -61,8 +63,11 @@ class BagScrubbing {
         onDetections(message);
       }
       release(message.getTime());
-    }
+    });
     release(ros::TIME_MAX);
+    if (output_) {
+      output_->close();
+    }
     result_.paths = removal_.paths();
     return result_;
   }
@@ -70,14 +75,14 @@ class BagScrubbing {
  private:
   void readPeople(const std::string& topic) {
     rosbag::View view(bag_, rosbag::TopicQuery(topic));
-    for (const rosbag::MessageInstance& message : view) {
+    forEachMessage(bag_, view, [&](const rosbag::MessageInstance& message) {
       if (const auto people = message.instantiate<geometry_msgs::PoseArray>()) {
         const DetectionSet set = fromMessage(*people, topic);
         if (!set.detections.empty()) {
           people_[set.stamp] = set;
         }
       }
-    }
+    });
     if (people_.empty()) {
       throw BagError("topic '" + topic + "' of bag '" + request_.bag +
                      "' shows nobody, expected people in messages of geometry_msgs/PoseArray");
@@ -89,21 +94,15 @@ class BagScrubbing {
       throw BagError("bag '" + request_.bag + "' has a topic '" + request_.scrubbed_topic +
                      "' already, expected another name for the scrubbed scans");
     }
-    if (request_.output == request_.bag) {
+    if (isSameFile(request_.output, request_.bag)) {
       throw BagError("the output is '" + request_.output + "', the bag itself, expected another file");
     }
-    try {
-      output_.open(request_.output, rosbag::bagmode::Write);
-      output_.setCompression(rosbag::compression::LZ4);
-      writes_ = true;
-    } catch (const rosbag::BagException& error) {
-      throw BagError("bag '" + request_.output + "' cannot be written: " + error.what());
-    }
+    output_.emplace(request_.output, rosbag::compression::LZ4);
   }
 
   void copy(const rosbag::MessageInstance& message) {
-    if (writes_) {
-      output_.write(message.getTopic(), message.getTime(), message, message.getConnectionHeader());
+    if (output_) {
+      output_->copy(message);
     }
   }
 
@@ -158,8 +157,8 @@ class BagScrubbing {
     result_.points += scrubbed.points;
     result_.removed += static_cast<std::int64_t>(scrubbed.removed.size());
     count(*scan, scrubbed);
-    if (writes_) {
-      output_.write(request_.scrubbed_topic, time, scrubbed.scan);
+    if (output_) {
+      output_->write(request_.scrubbed_topic, time, scrubbed.scan);
     }
   }
 
@@ -190,8 +189,7 @@ class BagScrubbing {
 
   const BagScrubbingRequest& request_;
   rosbag::Bag bag_;
-  rosbag::Bag output_;
-  bool writes_ = false;
+  std::optional<BagWriter> output_;
   std::vector<std::string> detection_topics_;
   std::map<Stamp, DetectionSet> people_;
   BagTransforms tf_;

@@ -42,7 +42,7 @@ class BagSessionMaps {
   BagSessionMapsResult run() {
     readTransforms();
     rosbag::View view(bag_, rosbag::TopicQuery(map_topic_));
-    for (const rosbag::MessageInstance& message : view) {
+    forEachMessage(bag_, view, [this](const rosbag::MessageInstance& message) {
       ++result_.maps;
       try {
         match(*message.instantiate<nav_msgs::OccupancyGrid>());
@@ -51,7 +51,7 @@ class BagSessionMaps {
       } catch (const tf2::TransformException& error) {
         leaveOut(error.what());
       }
-    }
+    });
     if (result_.maps == result_.maps_left_out) {
       throw BagError("bag '" + request_.bag + "': none of the " + std::to_string(result_.maps) + " maps of " +
                      map_topic_ + " could be used: " + result_.last_problem);
@@ -65,14 +65,14 @@ class BagSessionMaps {
     tf_.emplace(lengthOf(bag_) + ros::Duration(10.0));
     tf_->takeStatic(bag_);
     rosbag::View view(bag_, rosbag::TopicQuery(std::string("/tf")));
-    for (const rosbag::MessageInstance& message : view) {
+    forEachMessage(bag_, view, [this](const rosbag::MessageInstance& message) {
       if (const auto transforms = message.instantiate<tf2_msgs::TFMessage>()) {
         tf_->take(*transforms);
         for (const geometry_msgs::TransformStamped& transform : transforms->transforms) {
           stamps_.insert(transform.header.stamp);
         }
       }
-    }
+    });
   }
 
   void leaveOut(const std::string& problem) {

@@ -2,6 +2,7 @@
 
 #include <rosbag/view.h>
 
+#include "map_matcher/ros/bag_reading.hpp"
 #include "map_matcher/ros/conversions.hpp"
 
 namespace map_matcher {
@@ -18,13 +19,13 @@ geometry_msgs::TransformStamped renamed(geometry_msgs::TransformStamped transfor
 
 void BagTransforms::takeStatic(const rosbag::Bag& bag) {
   rosbag::View view(bag, rosbag::TopicQuery(std::string("/tf_static")));
-  for (const rosbag::MessageInstance& message : view) {
+  forEachMessage(bag, view, [this](const rosbag::MessageInstance& message) {
     if (const auto transforms = message.instantiate<tf2_msgs::TFMessage>()) {
       for (const geometry_msgs::TransformStamped& transform : transforms->transforms) {
         buffer_.setTransform(renamed(transform), "bag", true);
       }
     }
-  }
+  });
 }
 
 void BagTransforms::take(const tf2_msgs::TFMessage& message) {

@@ -41,10 +41,10 @@ class BagTrial {
   BagTrialResult run() {
     tf_.takeStatic(bag_);
     rosbag::View view(bag_);
-    for (const rosbag::MessageInstance& message : view) {
+    forEachMessage(bag_, view, [this](const rosbag::MessageInstance& message) {
       take(message);
       queue_.release(message.getTime());
-    }
+    });
     queue_.releaseAll();
     result_.scans_left_out = queue_.withoutTransforms() + queue_.refused();
     if (!queue_.lastProblem().empty()) {

@@ -32,7 +32,7 @@ BagTruth::BagTruth(const rosbag::Bag& bag, const std::string& path, const BagTru
   const std::string topic = chooseTopic(path, topics, request.topic, {kTruthType});
   std::string frame;
   rosbag::View view(bag, rosbag::TopicQuery(topic));
-  for (const rosbag::MessageInstance& message : view) {
+  forEachMessage(bag, view, [&](const rosbag::MessageInstance& message) {
     const auto pose = message.instantiate<geometry_msgs::PoseStamped>();
     const std::string this_frame = frameName(pose->header.frame_id);
     checkFrame(this_frame, topic, request);
@@ -42,7 +42,7 @@ BagTruth::BagTruth(const rosbag::Bag& bag, const std::string& path, const BagTru
     }
     frame = this_frame;
     poses_[pose->header.stamp.toSec()] = fromMessage(pose->pose, "the true pose");
-  }
+  });
   if (poses_.empty()) {
     throw BagError("topic '" + topic + "' of bag '" + path + "' holds no message, expected true poses");
   }

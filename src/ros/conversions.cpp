@@ -3,10 +3,13 @@
 #include <tf2/LinearMath/Matrix3x3.h>
 #include <tf2/LinearMath/Quaternion.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <sstream>
+
+#include "map_matcher/grid/map_limits.hpp"
 
 namespace map_matcher {
 namespace {
@@ -49,6 +52,8 @@ geometry_msgs::Quaternion quaternionMessage(double yaw) {
   message.w = std::cos(0.5 * yaw);
   return message;
 }
+
+constexpr unsigned char kDelete = 127;
 
 /// The shortest decimal number that a 32-bit float stands for.
 double decimalOf(float value) {
@@ -96,6 +101,7 @@ OccupancyGrid fromMessage(const nav_msgs::OccupancyGrid& message) {
   geometry.height = static_cast<int>(message.info.height);
   geometry.T_map_grid = fromMessage(message.info.origin, "the map's origin");
   try {
+    requireMapLimits(geometry);  // before the values are copied
     return OccupancyGrid(geometry, message.data);
   } catch (const std::invalid_argument& error) {
     throw MessageError(error.what());
@@ -109,8 +115,10 @@ std::string frameName(const std::string& frame_id) {
 
 std::string frameOf(const std_msgs::Header& header) {
   std::string name = frameName(header.frame_id);
-  if (name.empty()) {
-    throw MessageError("header.frame_id is \"" + header.frame_id + "\", expected the name of a frame");
+  const bool is_name = std::none_of(name.begin(), name.end(), [](unsigned char c) { return c <= ' ' || c == kDelete; });
+  if (name.empty() || !is_name) {
+    throw MessageError("header.frame_id is \"" + header.frame_id +
+                       "\", expected the name of a frame, without blanks and line breaks");
   }
   return name;
 }

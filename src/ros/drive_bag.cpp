@@ -1,15 +1,17 @@
 #include "map_matcher/ros/drive_bag.hpp"
 
+#include "map_matcher/ros/bag_reading.hpp"
+
 namespace map_matcher {
 namespace {
 
-/// Runs `access`; what rosbag throws becomes an error that names the file.
+/// Runs `access`; an error of the bag becomes one of the drive's bag.
 template <typename Access>
-void accessBag(const std::string& path, const Access& access) {
+void accessBag(const Access& access) {
   try {
     access();
-  } catch (const rosbag::BagException& error) {
-    throw DriveBagError("bag '" + path + "' cannot be written: " + error.what());
+  } catch (const BagError& error) {
+    throw DriveBagError(error.what());
   }
 }
 
@@ -20,20 +22,20 @@ std::string resolved(const std::string& topic) { return topic.rfind('/', 0) == 0
 
 DriveBagWriter::DriveBagWriter(const std::string& path, const DriveDescription& drive,
                                const DriveMessageOptions& options)
-    : path_(path), messages_(drive, options) {
-  accessBag(path_, [&] { bag_.open(path_, rosbag::bagmode::Write); });
+    : messages_(drive, options) {
+  accessBag([&] { bag_ = std::make_unique<BagWriter>(path); });
 }
 
 void DriveBagWriter::write(const DriveStep& step) {
-  accessBag(path_, [&] {
+  accessBag([&] {
     messages_.visit(step, num_steps_++, [&](const std::string& topic, const ros::Time& arrival, const auto& message) {
-      bag_.write(resolved(topic), arrival, message);
+      bag_->write(resolved(topic), arrival, message);
     });
   });
 }
 
 void DriveBagWriter::close() {
-  accessBag(path_, [&] { bag_.close(); });
+  accessBag([&] { bag_->close(); });
 }
 
 void writeDriveBag(const Drive& drive, const std::string& path, const DriveMessageOptions& options) {

@@ -117,9 +117,10 @@ std::optional<Rigid2> PoseEvaluatorServer::lookUp(const std::string& child, cons
   }
 }
 
-void PoseEvaluatorServer::sumUp() const {
+void PoseEvaluatorServer::sumUp() {
   const TrajectoryError error = evaluateTrajectory(record_.samples());
   std::cout << summaryText(error) << std::flush;  // rosconsole is closed when the node ends
+  record_.complete();
   if (!options_.summary_file.empty()) {
     writeSummary(error, options_.summary_file);
   }

@@ -1,7 +1,9 @@
 #include "map_matcher/ros/run_node.hpp"
 
 #include <ros/console.h>
+#include <ros/init.h>
 
+#include <csignal>
 #include <string>
 
 #include "map_matcher/ros/parameter_reader.hpp"
@@ -17,6 +19,10 @@ bool loadParameters(const ros::NodeHandle& private_node, const ParameterList& pa
     ROS_WARN_STREAM(unknown);
   }
   return problems.empty();
+}
+
+void shutDownOnTerm() {
+  std::signal(SIGTERM, [](int /*signal*/) { ros::requestShutdown(); });
 }
 
 void logFatal(const std::exception& error) { ROS_FATAL_STREAM(error.what()); }

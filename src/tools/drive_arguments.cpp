@@ -2,56 +2,35 @@
 
 #include <stdexcept>
 
-#include "command_line.hpp"
 #include "map_matcher/grid/map_file.hpp"
 #include "map_matcher/simulation/office_building.hpp"
 
 namespace map_matcher::tools {
-namespace {
-
-/// The robot that the arguments name; "" when they cannot be read, which will be told when all of them are.
-std::string robotIn(int argc, char** argv) {
-  CLI::App app;
-  app.set_help_flag();
-  app.allow_extras();
-  std::string robot;
-  app.add_option("--robot", robot);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError&) {
-    return "";
-  }
-  return robot;
-}
-
-}  // namespace
-
 DriveArguments::DriveArguments(int argc, char** argv) {
-  if (robotIn(argc, argv) == "pepper") {
+  if (firstValueOf("--robot", argc, argv) == "pepper") {
     equipAsPepper(drive_);
   }
 }
 
-void DriveArguments::describe(CLI::App& app) {
-  auto* map = app.add_option("--map", map_, "YAML file of the map to drive in");
-  addSeed(app, "--building-seed", building_seed_, "Drive in the floor that generate_building makes of this seed")
-      ->excludes(map);
-  addSeed(app, "--seed", drive_.seed, "Of the way and the noise");
-  app.add_option(
-         "--robot", robot_,
-         "pioneer: one lidar, /scan; pepper: two, /sick_laser_front/scan and /sick_laser_rear/scan, and another "
-         "size and speed")
-      ->capture_default_str()
-      ->check(CLI::IsMember({"pioneer", "pepper"}));
-  app.add_option(
-         "--itinerary", itinerary_,
-         "waypoints: those given; random: random ones for ever; explore: wherever nothing was seen yet, until all "
-         "is; when not given: waypoints, if there are any, else random")
-      ->check(CLI::IsMember({"waypoints", "random", "explore"}));
-  app.add_option("--start", start_, "Pose x y yaw in the map [m m rad]; random when not given")->expected(3);
-  app.add_option("--waypoints", waypoints_,
-                 "Places x1 y1 x2 y2 ... in the map to visit in this order [m]; random ones when not given");
-  addOptions(app, parametersOf(drive_));
+void DriveArguments::describe(CommandLine& command_line) {
+  const Option& map = command_line.add("--map", &map_, "YAML file of the map to drive in");
+  command_line.add("--building-seed", &building_seed_, "Drive in the floor that generate_building makes of this seed")
+      .excludes(map);
+  command_line.add("--seed", &drive_.seed, "Of the way and the noise");
+  command_line
+      .add("--robot", &robot_,
+           "pioneer: one lidar, /scan; pepper: two, /sick_laser_front/scan and /sick_laser_rear/scan, and another size "
+           "and speed")
+      .choices({"pioneer", "pepper"});
+  command_line
+      .add("--itinerary", &itinerary_,
+           "waypoints: those given; random: random ones for ever; explore: wherever nothing was seen yet, until all "
+           "is; when not given: waypoints, if there are any, else random")
+      .choices({"waypoints", "random", "explore"});
+  command_line.add("--start", &start_, "Pose x y yaw in the map [m m rad]; random when not given").count(3);
+  command_line.add("--waypoints", &waypoints_,
+                   "Places x1 y1 x2 y2 ... in the map to visit in this order [m]; random ones when not given");
+  command_line.addParameters(parametersOf(drive_));
 }
 
 OccupancyGrid DriveArguments::map() const {

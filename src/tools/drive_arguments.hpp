@@ -2,11 +2,12 @@
 /// The arguments of programs that simulate a drive.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <string>
 #include <vector>
 
+#include "command_line.hpp"
+#include "file_roles.hpp"
 #include "map_matcher/grid/occupancy_grid.hpp"
 #include "map_matcher/simulation/drive.hpp"
 
@@ -20,7 +21,10 @@ class DriveArguments {
 
   /// Adds the options --map, --building-seed, --seed, --robot, --itinerary, --start, --waypoints and one for each
   /// parameter of a drive. This object must outlive the parsing.
-  void describe(CLI::App& app);
+  void describe(CommandLine& command_line);
+
+  /// The map file among the files that are read.
+  void addFiles(FileRoles& files) const { files.readsMap("--map", map_); }
 
   /// The map to drive in. Throws as loadMap().
   OccupancyGrid map() const;

@@ -1,7 +1,5 @@
 // Takes a drive, simulated or recorded, through mapper and matcher, and writes down what they made of it.
 
-#include <CLI/CLI.hpp>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -9,11 +7,13 @@
 
 #include "command_line.hpp"
 #include "drive_arguments.hpp"
+#include "file_roles.hpp"
 #include "map_matcher/evaluation/monte_carlo_trial.hpp"
 #include "map_matcher/evaluation/overlay_image.hpp"
 #include "map_matcher/evaluation/simulated_trial.hpp"
 #include "map_matcher/evaluation/trial_table.hpp"
 #include "map_matcher/evaluation/truth_fit.hpp"
+#include "map_matcher/files/output_file.hpp"
 #include "map_matcher/grid/map_file.hpp"
 #include "map_matcher/parameters/yaml_parameters.hpp"
 #include "map_matcher/ros/bag_session_maps.hpp"
@@ -92,14 +92,6 @@ void simulate(const OccupancyGrid& map, const Arguments& arguments, Trial& trial
       trial.add(detections);
     }
     trial.add(trialStepOf(*step, simulation.lidarPoses()));
-  }
-}
-
-void write(const std::string& path, const std::string& text) {
-  std::ofstream file(path);
-  file << text;
-  if (!file.flush()) {
-    throw std::runtime_error("file '" + path + "' cannot be written");
   }
 }
 
@@ -199,7 +191,7 @@ void play(const Arguments& arguments, const OccupancyGrid& map, const OccupancyG
     warn(*problem);
   }
   if (monte_carlo) {
-    write(arguments.monte_carlo, toCsv(monte_carlo->rows()));
+    map_matcher::writeFile(arguments.monte_carlo, toCsv(monte_carlo->rows()));
   }
 }
 
@@ -228,7 +220,7 @@ void drawFirstMatch(const Arguments& arguments, const OccupancyGrid& reference, 
 /// `session`: the session map at the end of the drive.
 void writeResults(const Arguments& arguments, const OccupancyGrid& reference, const SessionMatching& matching,
                   const std::optional<OccupancyGrid>& session) {
-  write(arguments.output, toCsv(matching.queries()));
+  map_matcher::writeFile(arguments.output, toCsv(matching.queries()));
   printSummary(matching.queries());
   if (matching.queries().empty()) {
     return;
@@ -242,7 +234,25 @@ void writeResults(const Arguments& arguments, const OccupancyGrid& reference, co
   }
 }
 
+void requireDistinctFiles(const Arguments& arguments) {
+  map_matcher::tools::FileRoles files;
+  arguments.drive.addFiles(files);
+  files.readsMap("--reference", arguments.reference)
+      .reads("--config", arguments.config)
+      .reads("--mapper-config", arguments.mapper_config)
+      .reads("--scrubber-config", arguments.scrubber_config)
+      .reads("--monte-carlo-config", arguments.monte_carlo_config)
+      .reads("--bag", arguments.recorded.bag)
+      .writes("--output", arguments.output)
+      .writes("--monte-carlo", arguments.monte_carlo)
+      .writesMap("--session", arguments.session)
+      .writes("--first-overlay", arguments.first_overlay)
+      .writes("--last-overlay", arguments.last_overlay)
+      .requireDistinct();
+}
+
 void evaluate(const Arguments& arguments) {
+  requireDistinctFiles(arguments);
   if (isRecorded(arguments) && arguments.reference.empty()) {
     throw std::invalid_argument("--bag is given without --reference, expected the YAML file of its map");
   }
@@ -265,59 +275,67 @@ void evaluate(const Arguments& arguments) {
   writeResults(arguments, reference, trial.matching(), trial.sessionMap());
 }
 
-void describe(CLI::App& app, Arguments& arguments) {
-  app.add_option("--output", arguments.output, "CSV file to write: a row for each session map")->required();
-  app.add_option("--reference", arguments.reference, "YAML file of the map to match to; default: the one driven in");
-  app.add_option("--config", arguments.config, "parameters, as in config/map_matcher.yaml");
-  auto* mapper_config =
-      app.add_option("--mapper-config", arguments.mapper_config, "parameters, as in config/session_mapper.yaml");
-  app.add_option("--scrubber-config", arguments.scrubber_config, "parameters, as in config/lidar_scrubber.yaml");
-  auto* scrub = app.add_flag("--scrub", arguments.trial.scrub, "remove people from the scans before they are mapped");
-  auto* restart = app.add_option("--restart-interval", arguments.trial.restart_interval,
+void describeRecorded(map_matcher::tools::CommandLine& command_line, Arguments& arguments,
+                      const std::vector<const map_matcher::tools::Option*>& for_scans) {
+  map_matcher::BagTrialRequest& recorded = arguments.recorded;
+  const auto& bag = command_line.add("--bag", &recorded.bag, "recorded drive to use instead of a simulated one");
+  const auto& scan =
+      command_line.add("--scan", &recorded.scan_topic, "its topic of scans; default: the only one").needs(bag);
+  auto& session_maps = command_line
+                           .add("--session-maps", &arguments.session_maps,
+                                "its topic of maps that slam_gmapping or another mapper drew when it was recorded, "
+                                "nav_msgs/OccupancyGrid: they are matched, and no scans are mapped")
+                           .needs(bag)
+                           .excludes(scan);
+  for (const map_matcher::tools::Option* option : for_scans) {
+    session_maps.excludes(*option);
+  }
+  command_line.add("--truth", &recorded.truth_topic, "its topic of true poses, geometry_msgs/PoseStamped").needs(bag);
+  command_line.add("--truth-frame", &recorded.truth_frame, "frame that they must have; default: any").needs(bag);
+  command_line.add("--detections", &recorded.detection_topics, "its topics of detected people").needs(bag);
+  command_line.add("--odom-frame", &recorded.odom_frame, "its frame of the odometry");
+  command_line.add("--base-frame", &recorded.base_frame, "its frame of the robot");
+}
+
+void describe(map_matcher::tools::CommandLine& command_line, Arguments& arguments) {
+  command_line.add("--output", &arguments.output, "CSV file to write: a row for each session map").required();
+  command_line.add("--reference", &arguments.reference, "YAML file of the map to match to; default: the one driven in");
+  command_line.add("--config", &arguments.config, "parameters, as in config/map_matcher.yaml");
+  const auto& mapper_config =
+      command_line.add("--mapper-config", &arguments.mapper_config, "parameters, as in config/session_mapper.yaml");
+  command_line.add("--scrubber-config", &arguments.scrubber_config, "parameters, as in config/lidar_scrubber.yaml");
+  const auto& scrub =
+      command_line.add("--scrub", &arguments.trial.scrub, "remove people from the scans before they are mapped").flag();
+  const auto& restart = command_line
+                            .add("--restart-interval", &arguments.trial.restart_interval,
                                  "throw the session map away so often [s]; 0: never")
-                      ->capture_default_str()
-                      ->check(CLI::Range(0.0, 1e6));
-  auto* monte_carlo = app.add_option("--monte-carlo", arguments.monte_carlo,
-                                     "CSV file to write: what Monte-Carlo localization without a prior makes of the "
-                                     "same scans, at the same moments");
-  app.add_option("--monte-carlo-config", arguments.monte_carlo_config, "its parameters that differ from the defaults")
-      ->needs(monte_carlo);
-  app.add_option("--session", arguments.session, "YAML file for the last session map");
-  app.add_flag("--place-session", arguments.place_session, "write it in the frame of the truth, where it really lies");
-  app.add_option("--first-overlay", arguments.first_overlay, "picture of the first match");
-  app.add_option("--last-overlay", arguments.last_overlay, "picture of the last session map where it was matched");
-  auto* bag = app.add_option("--bag", arguments.recorded.bag, "recorded drive to use instead of a simulated one");
-  auto* scan = app.add_option("--scan", arguments.recorded.scan_topic, "its topic of scans; default: the only one");
-  scan->needs(bag);
-  app.add_option("--session-maps", arguments.session_maps,
-                 "its topic of maps that slam_gmapping or another mapper drew when it was recorded, "
-                 "nav_msgs/OccupancyGrid: they are matched, and no scans are mapped")
-      ->needs(bag)
-      ->excludes(scan)
-      ->excludes(mapper_config)
-      ->excludes(scrub)
-      ->excludes(restart)
-      ->excludes(monte_carlo);
-  app.add_option("--truth", arguments.recorded.truth_topic, "its topic of true poses, geometry_msgs/PoseStamped")
-      ->needs(bag);
-  app.add_option("--truth-frame", arguments.recorded.truth_frame, "frame that they must have; default: any")
-      ->needs(bag);
-  app.add_option("--detections", arguments.recorded.detection_topics, "its topics of detected people")->needs(bag);
-  app.add_option("--odom-frame", arguments.recorded.odom_frame, "its frame of the odometry")->capture_default_str();
-  app.add_option("--base-frame", arguments.recorded.base_frame, "its frame of the robot")->capture_default_str();
-  arguments.drive.describe(app);
-  app.footer(
-      "With --bag, --people or --density puts people into the recorded scans, where --truth says how the robot stands "
-      "to them. Exit status: 0 evaluated, 2 bad input.");
+                            .range(0.0, 1e6);
+  const auto& monte_carlo = command_line.add("--monte-carlo", &arguments.monte_carlo,
+                                             "CSV file to write: what Monte-Carlo localization without a prior makes "
+                                             "of the same scans, at the same moments");
+  command_line
+      .add("--monte-carlo-config", &arguments.monte_carlo_config, "its parameters that differ from the defaults")
+      .needs(monte_carlo);
+  command_line.add("--session", &arguments.session, "YAML file for the last session map");
+  command_line
+      .add("--place-session", &arguments.place_session, "write it in the frame of the truth, where it really lies")
+      .flag();
+  command_line.add("--first-overlay", &arguments.first_overlay, "picture of the first match");
+  command_line.add("--last-overlay", &arguments.last_overlay, "picture of the last session map where it was matched");
+  describeRecorded(command_line, arguments, {&mapper_config, &scrub, &restart, &monte_carlo});
+  arguments.drive.describe(command_line);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Takes a drive, simulated or recorded, through mapper and matcher.", "evaluate_drive");
+  map_matcher::tools::CommandLine command_line(
+      "evaluate_drive", "Takes a drive, simulated or recorded, through mapper and matcher.",
+      "With --bag, --people or --density puts people into the recorded scans, where --truth says how the robot stands "
+      "to them. Exit status: 0 evaluated, 2 bad input.");
   Arguments arguments(argc, argv);
-  describe(app, arguments);
-  return map_matcher::tools::run(app, argc, argv, [&arguments] {
+  describe(command_line, arguments);
+  return map_matcher::tools::run(command_line, argc, argv, [&arguments] {
     evaluate(arguments);
     return map_matcher::tools::kDone;
   });

@@ -1,24 +1,26 @@
 // Writes the map of a generated office floor.
 
-#include <CLI/CLI.hpp>
 #include <iostream>
 #include <string>
 
 #include "command_line.hpp"
+#include "file_roles.hpp"
 #include "map_matcher/grid/map_file.hpp"
 #include "map_matcher/simulation/office_building.hpp"
 
 int main(int argc, char** argv) {
-  CLI::App app("Generates the map of an office floor: the same seed gives the same floor at every resolution.",
-               "generate_building");
+  map_matcher::tools::CommandLine command_line(
+      "generate_building",
+      "Generates the map of an office floor: the same seed gives the same floor at every resolution.",
+      "Exit status: 0 written, 2 bad input.");
   map_matcher::OfficeBuildingOptions options;
   std::string output;
-  app.add_option("--output", output, "YAML file to write; a PGM image of the same name is written beside it")
-      ->required();
-  map_matcher::tools::addSeed(app, "--seed", options.seed, "Which floor");
-  map_matcher::tools::addOptions(app, parametersOf(options));
-  app.footer("Exit status: 0 written, 2 bad input.\n");
-  return map_matcher::tools::run(app, argc, argv, [&] {
+  command_line.add("--output", &output, "YAML file to write; a PGM image of the same name is written beside it")
+      .required();
+  command_line.add("--seed", &options.seed, "Which floor");
+  command_line.addParameters(parametersOf(options));
+  return map_matcher::tools::run(command_line, argc, argv, [&] {
+    map_matcher::tools::FileRoles().writesMap("--output", output).requireDistinct();
     const map_matcher::OccupancyGrid building = map_matcher::officeBuilding(options);
     map_matcher::saveMap(building, output);
     std::cout << output << ": " << building.width() << " x " << building.height() << " cells of "

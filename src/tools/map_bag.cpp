@@ -1,14 +1,15 @@
 // Draws the session map of a bag without a roscore.
 
-#include <CLI/CLI.hpp>
-#include <fstream>
 #include <iomanip>
 #include <iostream>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "command_line.hpp"
+#include "file_roles.hpp"
+#include "map_matcher/files/output_file.hpp"
 #include "map_matcher/grid/map_file.hpp"
 #include "map_matcher/grid/occupied_cells.hpp"
 #include "map_matcher/parameters/yaml_parameters.hpp"
@@ -38,14 +39,12 @@ map_matcher::SessionMappingOptions readOptions(const std::string& config) {
 }
 
 void writeTrajectory(const std::string& path, const std::vector<map_matcher::StampedPose>& trajectory) {
-  std::ofstream file(path);
-  file << "time,x,y,yaw\n" << std::setprecision(15);
+  std::ostringstream table;
+  table << "time,x,y,yaw\n" << std::setprecision(15);
   for (const auto& [time, pose] : trajectory) {
-    file << time << ',' << pose.x << ',' << pose.y << ',' << pose.yaw << '\n';
+    table << time << ',' << pose.x << ',' << pose.y << ',' << pose.yaw << '\n';
   }
-  if (!file.flush()) {
-    throw std::runtime_error("trajectory file '" + path + "' cannot be written");
-  }
+  map_matcher::writeFile(path, table.str());
 }
 
 void printSummary(const BagMappingResult& result, const SessionSnapshot& last, const std::string& output) {
@@ -61,6 +60,12 @@ void printSummary(const BagMappingResult& result, const SessionSnapshot& last, c
 }
 
 void drawBag(Arguments& arguments) {
+  map_matcher::tools::FileRoles()
+      .reads("--bag", arguments.request.bag)
+      .reads("--config", arguments.config)
+      .writesMap("--output", arguments.output)
+      .writes("--trajectory", arguments.trajectory)
+      .requireDistinct();
   arguments.request.options = readOptions(arguments.config);
   std::optional<SessionSnapshot> last;
   const BagMappingResult result =
@@ -72,25 +77,26 @@ void drawBag(Arguments& arguments) {
   printSummary(result, *last, arguments.output);
 }
 
-void describe(CLI::App& app, Arguments& arguments) {
-  app.add_option("--bag", arguments.request.bag, "bag with scans, /tf and perhaps /tf_static")->required();
-  app.add_option("--scan", arguments.request.scan_topic, "topic of the scans; default: the only one in the bag");
-  app.add_option("--from", arguments.request.from, "leave out what comes before [s since the bag begins]");
-  app.add_option("--until", arguments.request.until, "leave out what comes after [s since the bag begins]");
-  app.add_option("--output", arguments.output, "YAML file of the map; its image goes beside it")->capture_default_str();
-  app.add_option("--trajectory", arguments.trajectory,
-                 "write the poses of the robot in the session frame into this CSV file (s, m, m, rad)");
-  app.add_option("--config", arguments.config, "parameters, as in config/session_mapper.yaml");
-  app.footer("Exit status: 0 drawn, 2 bad input.");
+void describe(map_matcher::tools::CommandLine& command_line, Arguments& arguments) {
+  BagMappingRequest& request = arguments.request;
+  command_line.add("--bag", &request.bag, "bag with scans, /tf and perhaps /tf_static").required();
+  command_line.add("--scan", &request.scan_topic, "topic of the scans; default: the only one in the bag");
+  command_line.add("--from", &request.from, "leave out what comes before [s since the bag begins]");
+  command_line.add("--until", &request.until, "leave out what comes after [s since the bag begins]");
+  command_line.add("--output", &arguments.output, "YAML file of the map; its image goes beside it");
+  command_line.add("--trajectory", &arguments.trajectory,
+                   "write the poses of the robot in the session frame into this CSV file (s, m, m, rad)");
+  command_line.add("--config", &arguments.config, "parameters, as in config/session_mapper.yaml");
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Draws the session map of a bag.", "map_bag");
+  map_matcher::tools::CommandLine command_line("map_bag", "Draws the session map of a bag.",
+                                               "Exit status: 0 drawn, 2 bad input.");
   Arguments arguments;
-  describe(app, arguments);
-  return map_matcher::tools::run(app, argc, argv, [&arguments] {
+  describe(command_line, arguments);
+  return map_matcher::tools::run(command_line, argc, argv, [&arguments] {
     drawBag(arguments);
     return map_matcher::tools::kDone;
   });

@@ -2,13 +2,13 @@
 
 #include "map_matcher/evaluation/map_quality.hpp"
 
-#include <CLI/CLI.hpp>
 #include <iomanip>
 #include <iostream>
 #include <string>
 #include <vector>
 
 #include "command_line.hpp"
+#include "file_roles.hpp"
 #include "map_matcher/evaluation/overlay_image.hpp"
 #include "map_matcher/grid/map_file.hpp"
 #include "map_matcher/search/map_matcher.hpp"
@@ -55,6 +55,11 @@ void print(const MapQuality& quality, const Rigid2& T_true_session, double toler
 }
 
 int compare(const Arguments& arguments) {
+  map_matcher::tools::FileRoles()
+      .readsMap("--truth", arguments.truth)
+      .readsMap("--session", arguments.session)
+      .writes("--overlay", arguments.overlay)
+      .requireDistinct();
   const OccupancyGrid truth = map_matcher::loadMap(arguments.truth);
   const OccupancyGrid session = map_matcher::loadMap(arguments.session);
   std::optional<Rigid2> pose;
@@ -73,23 +78,23 @@ int compare(const Arguments& arguments) {
   return map_matcher::tools::kDone;
 }
 
-void describe(CLI::App& app, Arguments& arguments) {
-  app.add_option("--truth", arguments.truth, "YAML file of the true map")->required();
-  app.add_option("--session", arguments.session, "YAML file of the session map")->required();
-  app.add_option("--pose", arguments.pose, "x y yaw of the session map in the true map [m m rad]; default: by matching")
-      ->expected(3);
-  app.add_option("--tolerance", arguments.tolerance, "distance from a wall that counts as on it [m]")
-      ->capture_default_str()
-      ->check(CLI::Range(0.0, 10.0));
-  app.add_option("--overlay", arguments.overlay, "picture of both maps");
-  app.footer("Exit status: 0 compared, 1 no match, 2 bad input.");
+void describe(map_matcher::tools::CommandLine& command_line, Arguments& arguments) {
+  command_line.add("--truth", &arguments.truth, "YAML file of the true map").required();
+  command_line.add("--session", &arguments.session, "YAML file of the session map").required();
+  command_line
+      .add("--pose", &arguments.pose, "x y yaw of the session map in the true map [m m rad]; default: by matching")
+      .count(3);
+  command_line.add("--tolerance", &arguments.tolerance, "distance from a wall that counts as on it [m]")
+      .range(0.0, 10.0);
+  command_line.add("--overlay", &arguments.overlay, "picture of both maps");
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Compares a session map with the true map.", "map_quality");
+  map_matcher::tools::CommandLine command_line("map_quality", "Compares a session map with the true map.",
+                                               "Exit status: 0 compared, 1 no match, 2 bad input.");
   Arguments arguments;
-  describe(app, arguments);
-  return map_matcher::tools::run(app, argc, argv, [&arguments] { return compare(arguments); });
+  describe(command_line, arguments);
+  return map_matcher::tools::run(command_line, argc, argv, [&arguments] { return compare(arguments); });
 }

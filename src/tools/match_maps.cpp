@@ -1,14 +1,14 @@
 // Matches two map files without a roscore: where does the session map lie in the reference map?
 
-#include <CLI/CLI.hpp>
-#include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
 #include "command_line.hpp"
+#include "file_roles.hpp"
 #include "map_matcher/evaluation/overlay_image.hpp"
+#include "map_matcher/files/output_file.hpp"
 #include "map_matcher/grid/map_file.hpp"
 #include "map_matcher/parameters/yaml_parameters.hpp"
 #include "map_matcher/ros/map_matcher_server_options.hpp"
@@ -33,7 +33,7 @@ struct Arguments {
   std::string overlay;
 };
 
-nlohmann::ordered_json toJson(const StageReport& stage) {
+nlohmann::json toJson(const StageReport& stage) {
   return {{"name", stage.name},
           {"answered", stage.answered},
           {"resolution", stage.resolution},
@@ -49,8 +49,8 @@ nlohmann::ordered_json toJson(const StageReport& stage) {
           {"depth_first_search_time", stage.depth_first_search_time}};
 }
 
-nlohmann::ordered_json toJson(const MatchResult& result) {
-  nlohmann::ordered_json json{{"status", toString(result.status)}, {"reason", result.reason}};
+nlohmann::json toJson(const MatchResult& result) {
+  nlohmann::json json{{"status", toString(result.status)}, {"reason", result.reason}};
   json["transform"] = nullptr;
   if (result.matched()) {
     const Rigid2& T = result.T_reference_session;
@@ -83,7 +83,7 @@ nlohmann::ordered_json toJson(const MatchResult& result) {
   json["margin"] = result.margin;
   json["search_time"] = result.search_time;
   json["reference_time"] = result.reference_time;
-  json["stages"] = nlohmann::ordered_json::array();
+  json["stages"] = nlohmann::json::array();
   for (const StageReport& stage : result.stages) {
     json["stages"].push_back(toJson(stage));
   }
@@ -91,14 +91,11 @@ nlohmann::ordered_json toJson(const MatchResult& result) {
 }
 
 void writeJson(const std::string& path, const MatchResult& result) {
+  const std::string text = toJson(result).dump(2) + '\n';
   if (path == "-") {
-    std::cout << toJson(result).dump(2) << std::endl;
-    return;
-  }
-  std::ofstream file(path);
-  file << toJson(result).dump(2) << '\n';
-  if (!file.flush()) {
-    throw std::runtime_error("JSON file '" + path + "' cannot be written");
+    std::cout << text;
+  } else {
+    map_matcher::writeFile(path, text);
   }
 }
 
@@ -137,6 +134,13 @@ MatchOptions readOptions(const Arguments& arguments) {
 }
 
 int matchMaps(const Arguments& arguments) {
+  map_matcher::tools::FileRoles()
+      .readsMap("--reference", arguments.reference)
+      .readsMap("--session", arguments.session)
+      .reads("--config", arguments.config)
+      .writes("--json", arguments.json)
+      .writes("--overlay", arguments.overlay)
+      .requireDistinct();
   const MatchOptions options = readOptions(arguments);
   map_matcher::MapMatcher matcher(options);
   const OccupancyGrid reference = map_matcher::loadMap(arguments.reference);
@@ -157,23 +161,24 @@ int matchMaps(const Arguments& arguments) {
   return result.matched() ? map_matcher::tools::kDone : kNoMatch;
 }
 
-void describe(CLI::App& app, Arguments& arguments) {
-  app.add_option("--reference", arguments.reference, "YAML file of the reference map")->required();
-  app.add_option("--session", arguments.session, "YAML file of the session map")->required();
-  app.add_option("--search", arguments.search,
-                 "how to search: two_stage (coarse, then fine) or exact (and then the proof; the default)")
-      ->check(CLI::IsMember({"two_stage", "exact"}));
-  app.add_option("--config", arguments.config, "parameters, as in config/map_matcher.yaml");
-  app.add_option("--json", arguments.json, "write the result as JSON to this file; - for standard output alone");
-  app.add_option("--overlay", arguments.overlay, "draw both maps on each other into this PNG file");
-  app.footer("Exit status: 0 matched, 1 no acceptable match, 2 bad input.");
+void describe(map_matcher::tools::CommandLine& command_line, Arguments& arguments) {
+  command_line.add("--reference", &arguments.reference, "YAML file of the reference map").required();
+  command_line.add("--session", &arguments.session, "YAML file of the session map").required();
+  command_line
+      .add("--search", &arguments.search,
+           "how to search: two_stage (coarse, then fine) or exact (and then the proof; the default)")
+      .choices({"two_stage", "exact"});
+  command_line.add("--config", &arguments.config, "parameters, as in config/map_matcher.yaml");
+  command_line.add("--json", &arguments.json, "write the result as JSON to this file; - for standard output alone");
+  command_line.add("--overlay", &arguments.overlay, "draw both maps on each other into this PNG file");
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Finds where a session map lies in a reference map.", "match_maps");
+  map_matcher::tools::CommandLine command_line("match_maps", "Finds where a session map lies in a reference map.",
+                                               "Exit status: 0 matched, 1 no acceptable match, 2 bad input.");
   Arguments arguments;
-  describe(app, arguments);
-  return map_matcher::tools::run(app, argc, argv, [&arguments] { return matchMaps(arguments); });
+  describe(command_line, arguments);
+  return map_matcher::tools::run(command_line, argc, argv, [&arguments] { return matchMaps(arguments); });
 }

@@ -1,11 +1,13 @@
 // Removes people from the scans of a bag without a roscore.
 
-#include <CLI/CLI.hpp>
 #include <iomanip>
 #include <iostream>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include "command_line.hpp"
+#include "file_roles.hpp"
 #include "map_matcher/parameters/option_check.hpp"
 #include "map_matcher/parameters/yaml_parameters.hpp"
 #include "map_matcher/ros/bag_scrubbing.hpp"
@@ -57,6 +59,11 @@ void printSummary(const BagScrubbingRequest& request, const BagScrubbingResult& 
 }
 
 void scrub(Arguments& arguments) {
+  map_matcher::tools::FileRoles()
+      .reads("--bag", arguments.request.bag)
+      .reads("--config", arguments.config)
+      .writes("--output", arguments.request.output)
+      .requireDistinct();
   map_matcher::LidarScrubberServerOptions& options = arguments.request.options;
   if (!arguments.config.empty()) {
     loadYamlParameters(arguments.config, parametersOf(options));
@@ -71,27 +78,28 @@ void scrub(Arguments& arguments) {
   printSummary(arguments.request, scrubBag(arguments.request));
 }
 
-void describe(CLI::App& app, Arguments& arguments) {
+void describe(map_matcher::tools::CommandLine& command_line, Arguments& arguments) {
   BagScrubbingRequest& request = arguments.request;
-  app.add_option("--bag", request.bag, "bag with scans, detections and perhaps tf")->required();
-  app.add_option("--scan", request.scan_topic, "topic of the scans; default: the only one in the bag");
-  app.add_option("--detections", arguments.detections, "topics of the detections; default: those of the configuration");
-  app.add_option("--people", request.people_topic,
-                 "topic of the people who were really there, PoseArray with the scans' stamps: says what was missed");
-  app.add_option("--output", request.output, "bag to write: everything, and the scrubbed scans");
-  app.add_option("--scrubbed", request.scrubbed_topic, "topic of the scrubbed scans in it")->capture_default_str();
-  app.add_option("--mode", arguments.mode, "cached or synchronised; default: that of the configuration");
-  app.add_option("--config", arguments.config, "parameters, as in config/lidar_scrubber.yaml");
-  app.footer("Exit status: 0 scrubbed, 2 bad input.");
+  command_line.add("--bag", &request.bag, "bag with scans, detections and perhaps tf").required();
+  command_line.add("--scan", &request.scan_topic, "topic of the scans; default: the only one in the bag");
+  command_line.add("--detections", &arguments.detections,
+                   "topics of the detections; default: those of the configuration");
+  command_line.add("--people", &request.people_topic,
+                   "topic of the people who were really there, PoseArray with the scans' stamps: says what was missed");
+  command_line.add("--output", &request.output, "bag to write: everything, and the scrubbed scans");
+  command_line.add("--scrubbed", &request.scrubbed_topic, "topic of the scrubbed scans in it");
+  command_line.add("--mode", &arguments.mode, "cached or synchronised; default: that of the configuration");
+  command_line.add("--config", &arguments.config, "parameters, as in config/lidar_scrubber.yaml");
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Removes people from the scans of a bag.", "scrub_bag");
+  map_matcher::tools::CommandLine command_line("scrub_bag", "Removes people from the scans of a bag.",
+                                               "Exit status: 0 scrubbed, 2 bad input.");
   Arguments arguments;
-  describe(app, arguments);
-  return map_matcher::tools::run(app, argc, argv, [&arguments] {
+  describe(command_line, arguments);
+  return map_matcher::tools::run(command_line, argc, argv, [&arguments] {
     scrub(arguments);
     return map_matcher::tools::kDone;
   });

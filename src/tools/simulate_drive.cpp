@@ -1,12 +1,12 @@
 // Drives a simulated robot through a map and writes what it measured into a bag.
 
-#include <CLI/CLI.hpp>
 #include <cstddef>
 #include <iostream>
 #include <string>
 
 #include "command_line.hpp"
 #include "drive_arguments.hpp"
+#include "file_roles.hpp"
 #include "map_matcher/ros/drive_bag.hpp"
 #include "map_matcher/simulation/drive.hpp"
 
@@ -55,6 +55,9 @@ class Summary {
 };
 
 void simulate(const Arguments& arguments) {
+  map_matcher::tools::FileRoles files;
+  arguments.drive.addFiles(files);
+  files.writes("--bag", arguments.bag).requireDistinct();
   const DriveOptions options = arguments.drive.options();
   DriveSimulation simulation(arguments.drive.map(), options);
   map_matcher::DriveMessageOptions bag_options;
@@ -72,15 +75,15 @@ void simulate(const Arguments& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app(
+  map_matcher::tools::CommandLine command_line(
+      "simulate_drive",
       "Drives a simulated robot through a map, among people with --people or --density, and writes scans, odometry, "
       "tf, ground truth and detections of people into a bag.",
-      "simulate_drive");
+      "Exit status: 0 written, 2 bad input.");
   Arguments arguments{{argc, argv}, ""};
-  app.add_option("--bag", arguments.bag, "Bag to write")->required();
-  arguments.drive.describe(app);
-  app.footer("Exit status: 0 written, 2 bad input.\n");
-  return map_matcher::tools::run(app, argc, argv, [&] {
+  command_line.add("--bag", &arguments.bag, "Bag to write").required();
+  arguments.drive.describe(command_line);
+  return map_matcher::tools::run(command_line, argc, argv, [&] {
     simulate(arguments);
     return map_matcher::tools::kDone;
   });

@@ -35,10 +35,24 @@ TEST(RunRecord, WritesEachMomentAsItComesAndLeavesEmptyWhatIsNotKnown) {
   record.add(kLost);
   record.add(kLocalized);
 
-  EXPECT_THAT(linesOf(dir / "run.csv"),
+  EXPECT_THAT(linesOf(dir / "run.csv.partial"),
               ElementsAre("time,truth_x,truth_y,truth_yaw,estimate_x,estimate_y,estimate_yaw,translation_error,"
                           "rotation_error,session_x,session_y,session_yaw,ratio",
                           "1000.25,1,2,0.5,,,,,,,,,", "1000.5,1,2,0.5,1,2.25,0.25,0.25,0.25,10,-20,3,0.75"));
+}
+
+TEST(RunRecord, ReplacesTheFileOfAnEarlierRunOnlyWhenItIsComplete) {
+  const test::TemporaryDir dir;
+  dir.write("run.csv", "old");
+  { RunRecord given_up(dir / "run.csv"); }
+  EXPECT_THAT(linesOf(dir / "run.csv"), ElementsAre("old"));
+  RunRecord record(dir / "run.csv");
+  record.add(kLost);
+
+  record.complete();
+
+  EXPECT_EQ(linesOf(dir / "run.csv").size(), 2U);
+  EXPECT_THAT(linesOf(dir / "run.csv.partial"), ElementsAre());
 }
 
 TEST(RunRecord, KeepsTheSamplesAlsoWithoutAFile) {

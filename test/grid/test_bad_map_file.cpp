@@ -5,6 +5,7 @@
 
 #include "map_matcher/grid/map_file.hpp"
 #include "support/temporary_dir.hpp"
+#include "support/thrown_text.hpp"
 
 namespace map_matcher {
 namespace {
@@ -73,10 +74,13 @@ const BadMap kBadMaps[] = {
     {"ResolutionNegative", withLine("resolution: -0.05"), {"resolution is -0.05", "positive number of metres"}},
     {"ResolutionNan", withLine("resolution: .nan"), {"resolution is .nan", "positive number of metres"}},
     {"ResolutionInfinite", withLine("resolution: .inf"), {"resolution is .inf", "positive number of metres"}},
+    {"ResolutionTooFine", withLine("resolution: 1e-9"), {"resolution is 1e-9", "0.001 to 10"}},
+    {"ResolutionTooCoarse", withLine("resolution: 1e9"), {"resolution is 1e9", "0.001 to 10"}},
     {"ResolutionText", withLine("resolution: 5cm"), {"resolution is 5cm", "positive number of metres"}},
     {"OriginMissing", without("origin"), {"origin is missing", "[x, y, yaw]"}},
     {"OriginTooShort", withLine("origin: [1, 2]"), {"origin is [1, 2]", "[x, y, yaw]"}},
     {"OriginNan", withLine("origin: [1, .nan, 0]"), {"origin is [1, .nan, 0]", "[x, y, yaw]"}},
+    {"OriginTooFar", withLine("origin: [1e300, 0, 0]"), {"origin is [1e300, 0, 0]", "within 1000000 m"}},
     {"OriginText", withLine("origin: here"), {"origin is here", "[x, y, yaw]"}},
     {"NegateMissing", without("negate"), {"negate is missing", "0 or 1"}},
     {"NegateTwo", withLine("negate: 2"), {"negate is 2", "0 or 1"}},
@@ -119,9 +123,33 @@ const BadImage kBadImages[] = {
     {"ZeroHeight", "P5 3 0 255\n"},
     {"Truncated", "P5 4 4 255\nabc"},
     {"Huge", "P5 2000000000 2000000000 255\n"},
+    {"TooManyPixels", "P5\n# 400 million\n20000 20000\n255\n"},
+    {"NegativeSize", "P5 -3 -3 255\n"},
 };
 
 INSTANTIATE_TEST_SUITE_P(LoadMap, BadImageFile, testing::ValuesIn(kBadImages),
+                         [](const auto& tested) { return tested.param.name; });
+
+/// The first bytes of an image of 20,000 x 20,000 pixels.
+const BadImage kLargeImages[] = {
+    {"Pgm", "P5\n# 400 million\n20000 20000\n255\n"},
+    {"Png", std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\x4e\x20\0\0\x4e\x20\x8\0\0\0\0", 29)},
+    {"Bmp", "BM" + std::string(12, '\0') + std::string("\x28\0\0\0\x20\x4e\0\0\xe0\xb1\xff\xff\1\0\x8\0", 16)},
+};
+
+class LargeImageFile : public testing::TestWithParam<BadImage> {};
+
+TEST_P(LargeImageFile, IsRefusedByItsHeader) {
+  const TemporaryDir dir;
+  dir.write("map.pgm", GetParam().bytes);
+  const std::string map = dir.write("map.yaml", kGoodMap);
+
+  const std::string refusal = test::thrownText<MapFileError>([&] { loadMap(map); });
+
+  EXPECT_NE(refusal.find("has 20000 x 20000 pixels, expected at most 268435456 in all"), std::string::npos) << refusal;
+}
+
+INSTANTIATE_TEST_SUITE_P(LoadMap, LargeImageFile, testing::ValuesIn(kLargeImages),
                          [](const auto& tested) { return tested.param.name; });
 
 TEST(LoadMap, NamesAMapFileThatDoesNotExist) {

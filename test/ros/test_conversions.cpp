@@ -7,6 +7,7 @@
 
 #include "map_matcher/ros/conversions.hpp"
 #include "support/ascii_map.hpp"
+#include "support/thrown_text.hpp"
 
 namespace map_matcher {
 namespace {
@@ -175,6 +176,40 @@ TEST(GridMessage, IsRefusedWithABadResolution) {
     message.info.resolution = resolution;
 
     expectNames(refusalOf(message), {"resolution is", "positive"});
+  }
+  for (const float resolution : {1e-9F, 1e-45F, 1e9F}) {
+    nav_msgs::OccupancyGrid message = goodMessage();
+    message.info.resolution = resolution;
+
+    expectNames(refusalOf(message), {"resolution is 1e", "expected", "0.001 to 10"});
+  }
+}
+
+TEST(GridMessage, IsRefusedFarFromEverything) {
+  nav_msgs::OccupancyGrid message = goodMessage();
+  message.info.origin.position.x = 1e300;
+  expectNames(refusalOf(message), {"origin is (1e+300, 0, 0)", "within 1000000 m"});
+
+  message.info.origin.position.x = 1e6;
+  EXPECT_EQ(refusalOf(message), "");
+}
+
+TEST(GridMessage, IsRefusedWithMoreCellsThanABuildingHas) {
+  nav_msgs::OccupancyGrid message = goodMessage();
+  message.info.width = 20000;
+  message.info.height = 20000;
+
+  expectNames(refusalOf(message), {"20000 x 20000 cells", "at most 268435456"});
+}
+
+TEST(FrameOfAHeader, IsANameWithoutBlanksAndLineBreaks) {
+  std_msgs::Header header;
+  header.frame_id = "/robot-1/map";
+  EXPECT_EQ(frameOf(header), "robot-1/map");
+  for (const char* frame : {"", "/", "the map", "map\n", "map\t", "\x7f"}) {
+    header.frame_id = frame;
+    const std::string refusal = test::thrownText<MessageError>([&] { frameOf(header); });
+    expectNames(refusal, {std::string("header.frame_id is \"") + frame + '"', "the name of a frame"});
   }
 }
 

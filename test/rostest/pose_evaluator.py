@@ -72,6 +72,18 @@ class PoseEvaluator(unittest.TestCase):
         self.assert_summary()
         self.assert_plot()
 
+    def test_ends_in_order_when_it_is_terminated(self):
+        self.send_truth(100.0, 0.0)
+        self.run_until_rows(1, 101.0)
+
+        output = self.end_node(signal.SIGTERM)
+
+        self.assertIn("pose known in 0 of 1 moments", output)
+        with open(self.csv_file, newline="", encoding="utf-8") as file:
+            self.assertEqual(len(list(csv.DictReader(file))), 1)
+        with open(self.summary_file, encoding="utf-8") as file:
+            self.assertEqual(json.load(file)["samples"], 1)
+
     def test_begins_anew_when_time_goes_back(self):
         self.send_transforms(100.0, 0.0)
         self.send_truth(100.0, 0.0)
@@ -109,6 +121,7 @@ class PoseEvaluator(unittest.TestCase):
             self.assertEqual(done.returncode, BAD_INPUT)
             return done.stderr.decode()
 
+        self.end_node()
         with open(self.csv_file, encoding="utf-8") as file:
             header = file.read()
         self.assertIn("cannot be read", complaint("missing.csv", None))
@@ -133,7 +146,8 @@ class PoseEvaluator(unittest.TestCase):
                                                 stamped_transform("session_map", "base_link", (x, 0.0, 0.0), stamp)]))
 
     def rows(self):
-        with open(self.csv_file, newline="", encoding="utf-8") as file:
+        """Those of the run that is not over yet."""
+        with open(self.csv_file + ".partial", newline="", encoding="utf-8") as file:
             return list(csv.DictReader(file))
 
     def run_until_rows(self, count, time):
@@ -145,9 +159,9 @@ class PoseEvaluator(unittest.TestCase):
             return len(self.rows()) >= count
         wait_until(there_are, "%d rows" % count)
 
-    def end_node(self):
-        """Ends the node as roslaunch does and returns what it printed."""
-        self.node.send_signal(signal.SIGINT)
+    def end_node(self, how=signal.SIGINT):
+        """Ends the node, as roslaunch does when nothing else is said, and returns what it printed."""
+        self.node.send_signal(how)
         output = self.node.communicate(timeout=DEADLINE)[0].decode()
         self.assertEqual(self.node.returncode, 0, output)
         return output

@@ -20,7 +20,8 @@ const fs::path kSource = MAP_MATCHER_SOURCE_DIR;
 /// The rooms below ros/, and the rooms whose headers each may include besides its own.
 const std::map<std::string, Names> kRooms = {
     {"parameters", {}},
-    {"grid", {"parameters"}},
+    {"files", {}},
+    {"grid", {"files", "parameters"}},
     {"search", {"grid", "parameters"}},
     {"tracking", {"grid", "parameters", "search"}},
     {"scan", {"grid"}},
@@ -29,7 +30,8 @@ const std::map<std::string, Names> kRooms = {
     {"scrubbing", {"grid", "parameters", "scan"}},
     {"simulation", {"grid", "parameters", "scan"}},
     {"evaluation",
-     {"grid", "localization", "mapping", "parameters", "scan", "scrubbing", "search", "simulation", "tracking"}},
+     {"files", "grid", "localization", "mapping", "parameters", "scan", "scrubbing", "search", "simulation",
+      "tracking"}},
 };
 
 /// Directories that know ROS, or whose programs may.

@@ -2,13 +2,13 @@
 /// What happened in a run, written down while it runs.
 #pragma once
 
-#include <fstream>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "map_matcher/evaluation/trajectory_error.hpp"
+#include "map_matcher/files/output_file.hpp"
 
 namespace map_matcher {
 
@@ -27,20 +27,24 @@ struct RunRow {
 
 /// Keeps the samples of a run, and writes each of its moments into a CSV file as it comes, with a header line:
 /// time,truth_x,truth_y,truth_yaw,estimate_x,estimate_y,estimate_yaw,translation_error,rotation_error,
-/// session_x,session_y,session_yaw,ratio (s, m, rad; what is not known is empty).
+/// session_x,session_y,session_yaw,ratio (s, m, rad; what is not known is empty). Until the run is complete the file
+/// has the name of a pending OutputFile, "NAME.partial".
 class RunRecord {
  public:
-  /// Begins the file anew; an empty path writes none. Throws RunRecordError.
+  /// Begins the file; an empty path writes none. Throws RunRecordError.
   explicit RunRecord(const std::string& csv_path = "");
 
   /// Throws RunRecordError when the row cannot be written.
   void add(const RunRow& row);
 
+  /// Ends the file and gives it its name, in the place of the file of an earlier run. No row may follow. Throws
+  /// RunRecordError.
+  void complete();
+
   const std::vector<PoseSample>& samples() const { return samples_; }
 
  private:
-  std::string path_;
-  std::ofstream file_;
+  std::optional<OutputFile> file_;
   std::vector<PoseSample> samples_;
 };
 

@@ -23,12 +23,19 @@ enum class MapMode {
 };
 
 /// Reads a map_server YAML file and the PGM, PNG or BMP image it names (relative to the YAML file, or absolute).
-/// Throws MapFileError.
+/// Throws MapFileError, also for a map that does not keep to the limits of map_limits.hpp; of too large an image no
+/// more than the header is read.
 OccupancyGrid loadMap(const std::string& yaml_path);
+
+/// Path of the image that a YAML file names. Throws MapFileError as loadMap() does for the YAML file.
+std::string imageNamedBy(const std::string& yaml_path);
 
 /// Writes `yaml_path` and, beside it, an image of the same name ending in .pgm. kTrinary rounds every value to free
 /// (below 25), unknown or occupied (65 and above) as map_saver does; kRaw keeps every value. kScale is not written.
-/// Throws MapFileError.
+/// Both files are there whole or not at all (OutputFile); what was there before is replaced. Throws MapFileError.
 void saveMap(const OccupancyGrid& grid, const std::string& yaml_path, MapMode mode = MapMode::kTrinary);
+
+/// Path of the image that saveMap() writes beside `yaml_path`.
+std::string imageWrittenWith(const std::string& yaml_path);
 
 }  // namespace map_matcher

@@ -4,7 +4,9 @@
 
 #include <rosbag/bag.h>
 #include <rosbag/message_instance.h>
+#include <rosbag/view.h>
 
+#include <functional>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -23,8 +25,14 @@ class BagError : public std::runtime_error {
 /// Topics of a bag with their types.
 using BagTopics = std::map<std::string, std::string>;
 
-/// Opens a bag for reading. Throws BagError for a file that cannot be read or has no index.
+/// Opens a bag for reading. Throws BagError, with what can be done about it, for a file that cannot be read, is no bag,
+/// has no index or is damaged.
 void openBag(rosbag::Bag& bag, const std::string& path);
+
+/// Calls `use` for each message of the view. Throws BagError, with bag, topic and time, where the file is damaged;
+/// `use` throws what it likes.
+void forEachMessage(const rosbag::Bag& bag, rosbag::View& view,
+                    const std::function<void(const rosbag::MessageInstance&)>& use);
 
 BagTopics topicsOf(const rosbag::Bag& bag);
 

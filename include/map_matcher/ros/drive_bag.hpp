@@ -2,12 +2,12 @@
 /// Writes a simulated drive as the bag that a robot would have recorded.
 #pragma once
 
-#include <rosbag/bag.h>
-
 #include <cstdint>
+#include <memory>
 #include <stdexcept>
 #include <string>
 
+#include "map_matcher/ros/bag_writing.hpp"
 #include "map_matcher/ros/drive_messages.hpp"
 #include "map_matcher/simulation/drive.hpp"
 
@@ -23,19 +23,19 @@ class DriveBagError : public std::runtime_error {
 /// recorded as they arrive, on the topics of the options below "/". The same steps give the same bag.
 class DriveBagWriter {
  public:
-  /// Replaces the file. Throws DriveBagError when it cannot be written, std::invalid_argument as DriveMessages does.
+  /// Begins the file. Throws DriveBagError when it cannot be written, std::invalid_argument as DriveMessages does.
   DriveBagWriter(const std::string& path, const DriveDescription& drive, const DriveMessageOptions& options = {});
 
   /// Adds the next step. Throws DriveBagError when it cannot be written.
   void write(const DriveStep& step);
 
-  /// Completes the file, which cannot be read before. Throws DriveBagError when it cannot be written.
+  /// Completes the file, which does not have its name before, and replaces one that has. Throws DriveBagError when it
+  /// cannot be written.
   void close();
 
  private:
-  std::string path_;
   DriveMessages messages_;
-  rosbag::Bag bag_;
+  std::unique_ptr<BagWriter> bag_;
   std::uint32_t num_steps_ = 0;
 };
 

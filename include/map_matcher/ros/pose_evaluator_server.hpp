@@ -55,7 +55,7 @@ class PoseEvaluatorServer {
   void onTick();
   void drainQueue(const ros::Time& now);
   std::optional<Rigid2> lookUp(const std::string& child, const ros::Time& stamp) const;
-  void sumUp() const;
+  void sumUp();
 
   const PoseEvaluatorOptions options_;
   RunRecord record_;

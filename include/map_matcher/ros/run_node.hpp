@@ -22,9 +22,13 @@ bool loadParameters(const ros::NodeHandle& private_node, const ParameterList& pa
 /// Logs, as fatal, why a node cannot run. Only as long as there is a node handle: without one logging is at its end.
 void logFatal(const std::exception& error);
 
+/// Makes SIGTERM an orderly end, as SIGINT is one from the first node handle on.
+void shutDownOnTerm();
+
 /// Reads the parameters and serves until the node is shut down; returns the exit code, see runNode().
 template <typename Server, typename Options>
 int serve(const ros::NodeHandle& node, const ros::NodeHandle& private_node) {
+  shutDownOnTerm();
   try {
     Options options;
     if (!loadParameters(private_node, parametersOf(options))) {
@@ -39,9 +43,10 @@ int serve(const ros::NodeHandle& node, const ros::NodeHandle& private_node) {
   }
 }
 
-/// Runs a node until it is shut down and returns the exit code of the process: 0, or kExitBadInput when a parameter or
-/// a file that it names cannot be used. `parametersOf(Options&)` lists the parameters;
-/// `Server(node, private_node, options)` serves as long as it lives, and throws std::exception when it cannot.
+/// Runs a node until it is shut down, by SIGINT, by SIGTERM or through ROS, and returns the exit code of the process:
+/// 0, or kExitBadInput when a parameter or a file that it names cannot be used. `parametersOf(Options&)` lists the
+/// parameters; `Server(node, private_node, options)` serves as long as it lives, and throws std::exception when it
+/// cannot.
 template <typename Server, typename Options>
 int runNode(int argc, char** argv, const char* name) {
   try {
