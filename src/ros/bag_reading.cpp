@@ -1,13 +1,8 @@
 #include "map_matcher/ros/bag_reading.hpp"
 
-#include <geometry_msgs/PoseArray.h>
-#include <map_matcher/PersonDetections.h>
 #include <rosbag/view.h>
 
 #include <algorithm>
-
-#include "map_matcher/ros/conversions.hpp"
-#include "map_matcher/ros/detection_messages.hpp"
 
 namespace map_matcher {
 namespace {
@@ -22,7 +17,12 @@ BagTopics topicsOf(const rosbag::Bag& bag) {
   rosbag::View view(bag);
   BagTopics topics;
   for (const rosbag::ConnectionInfo* connection : view.getConnections()) {
-    topics[connection->topic] = connection->datatype;
+    std::string& types = topics[connection->topic];  // a topic has a connection for each of its publishers
+    if (types.empty()) {
+      types = connection->datatype;
+    } else if ((" and " + types + " and ").find(" and " + connection->datatype + " and ") == std::string::npos) {
+      types += " and " + connection->datatype;
+    }
   }
   return topics;
 }
@@ -80,18 +80,6 @@ std::vector<std::string> chooseDetectionTopics(const std::string& bag, const Bag
     chosen.push_back(chooseTopic(bag, topics, name, {kPosesType, kDetectionsType}));
   }
   return chosen;
-}
-
-DetectionSet readDetections(const rosbag::MessageInstance& message) {
-  if (const auto scored = message.instantiate<PersonDetections>()) {
-    return fromMessage(*scored, message.getTopic());
-  }
-  const auto poses = message.instantiate<geometry_msgs::PoseArray>();
-  if (!poses) {
-    throw MessageError("topic '" + message.getTopic() + "' holds " + message.getDataType() + ", expected " +
-                       kPosesType + " or " + kDetectionsType);
-  }
-  return fromMessage(*poses, message.getTopic());
 }
 
 void requireTransforms(const std::string& bag, const BagTopics& topics, const std::string& odom_frame) {
