@@ -130,6 +130,7 @@ TEST_F(BagScrubbing, RefusesDetectionsOfAnotherType) {
 }
 
 TEST_F(BagScrubbing, RefusesTopicsOfTwoTypes) {
+  request.scan_topic = "/scan";
   test::appendToBag(request.bag, "/scan", std_msgs::String());
   EXPECT_THAT(test::thrownText<BagError>([&] { scrubBag(request); }),
               AllOf(HasSubstr("'/scan' of bag '" + request.bag + "'"), HasSubstr("sensor_msgs/LaserScan"),

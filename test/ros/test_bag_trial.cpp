@@ -114,6 +114,7 @@ TEST_F(RecordedTrial, RefusesDetectionsOfAnotherType) {
 }
 
 TEST_F(RecordedTrial, RefusesTopicsOfTwoTypes) {
+  request.scan_topic = "/scan";
   request.detection_topics = {"dr_spaam_detections"};
   for (const char* topic : {"/dr_spaam_detections", "/scan", "/ground_truth"}) {
     writeDriveBag(smallDrive(), request.bag);

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <ros/time.h>
 
 #include <new>
 #include <stdexcept>
@@ -9,6 +10,7 @@ namespace map_matcher {
 namespace {
 
 TEST(CallbackGuard, LetsNoExceptionOutAndCountsIt) {
+  ros::Time::init();  // for the log
   CallbackGuard guard;
 
   EXPECT_FALSE(guard.run("scan", [] { throw std::runtime_error("no such thing"); }));
