@@ -100,7 +100,7 @@ void ScrubberDiagnostics::summarizeScrubbing(Status& status) const {
     Status detector;
     summarizeDetector(record, detector);
     if (detector.level != kOk) {
-      status.mergeSummary(detector.level, topic + " " + detector.message);
+      status.mergeSummary(static_cast<unsigned char>(detector.level), topic + " " + detector.message);
     }
   }
 }

@@ -51,7 +51,7 @@ template <typename Message>
 boost::shared_ptr<const Message> readMessage(const std::string& bag, const rosbag::MessageInstance& message) {
   const std::string where = "topic '" + message.getTopic() + "' of bag '" + bag + "' holds ";
   try {
-    if (const boost::shared_ptr<const Message> content = message.instantiate<Message>()) {
+    if (boost::shared_ptr<const Message> content = message.instantiate<Message>()) {
       return content;
     }
   } catch (const ros::Exception& error) {
