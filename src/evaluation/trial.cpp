@@ -2,19 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "map_matcher/parameters/option_check.hpp"
-#include "map_matcher/scrubbing/range_removal.hpp"
 
 namespace map_matcher {
 namespace {
 
 constexpr double kRemembered = 2.0;  // [s] of odometry
 
-Stamp stampOf(double time) { return std::chrono::duration_cast<Stamp>(std::chrono::duration<double>(time)); }
+/// The frame of a laser, named by its index.
+std::string frameOf(std::size_t laser) { return std::to_string(laser); }
 
 /// Pose of a laser that scans in a plane parallel to the floor; one that hangs upside down is turned about its x axis.
 Eigen::Isometry3d toSpace(const Rigid2& pose, bool upside_down) {
@@ -30,7 +31,7 @@ Eigen::Isometry3d toSpace(const Rigid2& pose, bool upside_down) {
 }  // namespace
 
 Trial::Trial(const OccupancyGrid& reference, const TrialOptions& options)
-    : options_(options), mapper_(options.mapper), matching_(reference, options.match), cache_(options.scrubbing.cache) {
+    : options_(options), mapper_(options.mapper), matching_(reference, options.match) {
   ScrubbingOptions scrubbing = options.scrubbing;
   throwIfAny(problemsOf(parametersOf(scrubbing)));
 }
@@ -54,7 +55,6 @@ void Trial::add(const TrialStep& step) {
   past_.erase(past_.begin(), std::find_if(past_.begin(), past_.end(), [&step](const PastPose& pose) {
                 return pose.time >= step.time - kRemembered;
               }));
-  takePending(step.time + options_.detection_wait);
   const std::vector<MountedScan> scans = scansFor(step);
   const bool drawn = map(step, scans);
   const bool queried = drawn && (!last_map_ || step.time - *last_map_ > options_.map_update_interval);
@@ -77,11 +77,15 @@ std::vector<MountedScan> Trial::scansFor(const TrialStep& step) {
   for (const MountedScan& scan : step.scans) {
     mounts_.push_back(scan.mount);
   }
-  std::vector<MountedScan> scans;
-  for (const MountedScan& scan : step.scans) {
-    scans.push_back({scrubbed(scan, step), scan.mount});
+  while (removals_.size() < step.scans.size()) {
+    removals_.emplace_back(options_.scrubbing,
+                           [this](const FrameAt& set, const FrameAt& scan) { return poseOf(set, scan); });
   }
-  cache_.forget(stampOf(step.time));
+  takePending(step.time + options_.detection_wait);  // what comes while the scans wait is there, hence none waits
+  std::vector<MountedScan> scans;
+  for (std::size_t laser = 0; laser < step.scans.size(); ++laser) {
+    scans.push_back({scrubbed(laser, step.scans[laser].scan, step.time), step.scans[laser].mount});
+  }
   return scans;
 }
 
@@ -107,39 +111,48 @@ void Trial::beginSession(const TrialStep& step) {
   true_alignment_ = step.truth ? std::optional<Rigid2>(*step.truth * step.T_odom_base.inverse()) : std::nullopt;
 }
 
-/// Hands the detections that are there by now to the cache.
+/// Hands the detections that are there by now to the scrubbers.
 void Trial::takePending(double time) {
   const auto is_late = [time](const TrialDetections& detections) { return detections.arrival > time; };
   const auto end = std::stable_partition(pending_.begin(), pending_.end(), is_late);
   for (auto it = end; it != pending_.end(); ++it) {
-    DetectionSet set{"detector", std::to_string(it->laser), stampOf(it->time), it->detections};
-    applyLimits(set, options_.scrubbing.limits);
-    cache_.add(std::move(set));
+    for (PeopleRemoval& removal : removals_) {
+      removal.add({"detector", frameOf(it->laser), fromSeconds(it->time), it->detections});
+    }
   }
   pending_.erase(end, pending_.end());
 }
 
-PlanarScan Trial::scrubbed(const MountedScan& scan, const TrialStep& step) {
-  const std::vector<Disc>& discs =
-      cache_.discsAt(stampOf(step.time), [&](const DetectionSet& set) { return poseOf(set, scan, step); });
-  return {scan.scan, removeRanges(scan.scan, scan.scan.ranges, discs, options_.scrubbing, scrubber_).ranges};
+PlanarScan Trial::scrubbed(std::size_t laser, const PlanarScan& scan, double time) {
+  const RawScan raw{frameOf(laser), fromSeconds(time), scan, std::make_shared<const std::vector<float>>(scan.ranges)};
+  PeopleRemoval& removal = removals_[laser];
+  removal.onScan(raw);
+  PlanarScan result = scan;
+  removal.scrub(raw, raw.stamp, [&result](const ScrubbedScan& scrubbed) {
+    if (!scrubbed.failure.empty()) {
+      throw std::runtime_error(scrubbed.failure);
+    }
+    result.ranges = scrubbed.removal.ranges;
+  });
+  return result;
 }
 
 /// Through the odometry at the time of the detections, as tf would.
-std::optional<Eigen::Isometry3d> Trial::poseOf(const DetectionSet& set, const MountedScan& scan,
-                                               const TrialStep& step) const {
+DetectionPose Trial::poseOf(const FrameAt& set, const FrameAt& scan) const {
   const double time = seconds(set.stamp);
   const auto nearest = std::min_element(past_.begin(), past_.end(), [time](const PastPose& a, const PastPose& b) {
     return std::abs(a.time - time) < std::abs(b.time - time);
   });
   const std::size_t laser = std::stoul(set.frame);
   if (nearest == past_.end() || laser >= mounts_.size()) {
-    return std::nullopt;
+    return {};
   }
   const LaserMount& detector = mounts_[laser];
-  const Rigid2 T_base_past = step.T_odom_base.inverse() * nearest->T_odom_base;
-  return toSpace(scan.mount.T_base_laser, scan.mount.upside_down).inverse() * toSpace(T_base_past, false) *
-         toSpace(detector.T_base_laser, detector.upside_down);
+  const LaserMount& mount = mounts_[std::stoul(scan.frame)];
+  const Rigid2 T_base_past = past_.back().T_odom_base.inverse() * nearest->T_odom_base;
+  return {PosePath::kFixedFrame, toSpace(mount.T_base_laser, mount.upside_down).inverse() *
+                                     toSpace(T_base_past, false) *
+                                     toSpace(detector.T_base_laser, detector.upside_down)};
 }
 
 void Trial::match(const TrialStep& step) {

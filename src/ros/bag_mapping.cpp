@@ -1,28 +1,21 @@
 #include "map_matcher/ros/bag_mapping.hpp"
 
 #include <rosbag/view.h>
-#include <tf2_msgs/TFMessage.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include "map_matcher/ros/bag_reading.hpp"
 #include "map_matcher/ros/bag_scan_queue.hpp"
-#include "map_matcher/ros/bag_transforms.hpp"
 
 namespace map_matcher {
 namespace {
-
-const ros::Duration kTfHistory(30.0);  // transforms kept
 
 /// Goes through a bag once. Scans wait until their transforms have come.
 class BagMapping {
  public:
   BagMapping(const BagMappingRequest& request, const std::function<void(const SessionSnapshot&)>& on_map)
-      : request_(request),
-        on_map_(on_map),
-        mapping_(request.options),
-        tf_(kTfHistory),
-        queue_([this](const sensor_msgs::LaserScan& scan) { add(scan); }) {
+      : request_(request), on_map_(on_map), mapping_(request.options) {
     openBag(bag_, request.bag);
     const BagTopics topics = topicsOf(bag_);
     result_.scan_topic = chooseScanTopic(request.bag, topics, request.scan_topic);
@@ -33,21 +26,20 @@ class BagMapping {
   }
 
   BagMappingResult run() {
-    tf_.takeStatic(bag_);
+    BagScanQueue queue(bag_, request_.bag, [&](const sensor_msgs::LaserScan& scan) { add(scan, queue.tf()); });
     const ros::Time first = result_.begin + ros::Duration(std::max(0.0, request_.from - BagScanQueue::kPatience));
     rosbag::View view(bag_, rosbag::TopicQuery({std::string("/tf"), result_.scan_topic}), first, last());
-    forEachMessage(bag_, view, [this](const rosbag::MessageInstance& message) {
-      if (const auto transforms = message.instantiate<tf2_msgs::TFMessage>()) {
-        tf_.take(*transforms);
-      } else if (const auto scan = message.instantiate<sensor_msgs::LaserScan>()) {
-        enqueue(scan, message.getTime());
+    forEachMessage(bag_, view, [&](const rosbag::MessageInstance& message) {
+      if (message.getTopic() == result_.scan_topic && isAskedFor(message.getTime())) {
+        ++result_.scans;
+        queue.addScan(message);
       }
-      queue_.release(message.getTime());
+      queue.read(message);
     });
-    queue_.releaseAll();
-    result_.scans_without_tf = queue_.withoutTransforms();
-    result_.scans_refused = queue_.refused();
-    result_.last_problem = queue_.lastProblem();
+    queue.finish();
+    result_.scans_without_tf = queue.withoutTransforms();
+    result_.scans_refused = queue.refused();
+    result_.last_problem = queue.lastProblem();
     finish();
     return result_;
   }
@@ -68,16 +60,13 @@ class BagMapping {
     }
   }
 
-  void enqueue(const sensor_msgs::LaserScan::ConstPtr& scan, const ros::Time& recorded) {
+  bool isAskedFor(const ros::Time& recorded) const {
     const double time = (recorded - result_.begin).toSec();
-    if (time >= request_.from && (!request_.until || time <= *request_.until)) {
-      ++result_.scans;
-      queue_.add(scan, recorded);
-    }
+    return time >= request_.from && (!request_.until || time <= *request_.until);
   }
 
-  void add(const sensor_msgs::LaserScan& scan) {
-    const MappingUpdate update = mapping_.addScan(scan, tf_.buffer());
+  void add(const sensor_msgs::LaserScan& scan, const tf2::BufferCore& tf) {
+    const MappingUpdate update = mapping_.addScan(scan, tf);
     result_.path.push_back({scan.header.stamp.toSec(), mapping_.mapper().T_session_base()});
     result_.scans_drawn += update.report.outcome == ScanOutcome::kDrawn ? 1 : 0;
     result_.scans_not_fitting += update.report.outcome == ScanOutcome::kNotFitting ? 1 : 0;
@@ -104,9 +93,7 @@ class BagMapping {
   const BagMappingRequest& request_;
   const std::function<void(const SessionSnapshot&)>& on_map_;
   SessionMapping mapping_;
-  BagTransforms tf_;
   rosbag::Bag bag_;
-  BagScanQueue queue_;
   BagMappingResult result_;
   bool drawn_since_map_ = false;
 };

@@ -1,7 +1,5 @@
 #include "map_matcher/ros/bag_reading.hpp"
 
-#include <geometry_msgs/PoseArray.h>
-#include <map_matcher/PersonDetections.h>
 #include <ros/exception.h>
 #include <rosbag/view.h>
 
@@ -13,8 +11,6 @@
 #include <system_error>
 
 #include "map_matcher/parameters/number_text.hpp"
-#include "map_matcher/ros/conversions.hpp"
-#include "map_matcher/ros/detection_messages.hpp"
 
 namespace map_matcher {
 namespace {
@@ -50,7 +46,12 @@ BagTopics topicsOf(const rosbag::Bag& bag) {
   rosbag::View view(bag);
   BagTopics topics;
   for (const rosbag::ConnectionInfo* connection : view.getConnections()) {
-    topics[connection->topic] = connection->datatype;
+    std::string& types = topics[connection->topic];  // a topic has a connection for each of its publishers
+    if (types.empty()) {
+      types = connection->datatype;
+    } else if ((" and " + types + " and ").find(" and " + connection->datatype + " and ") == std::string::npos) {
+      types += " and " + connection->datatype;
+    }
   }
   return topics;
 }
@@ -108,18 +109,6 @@ std::vector<std::string> chooseDetectionTopics(const std::string& bag, const Bag
     chosen.push_back(chooseTopic(bag, topics, name, {kPosesType, kDetectionsType}));
   }
   return chosen;
-}
-
-DetectionSet readDetections(const rosbag::MessageInstance& message) {
-  if (const auto scored = message.instantiate<PersonDetections>()) {
-    return fromMessage(*scored, message.getTopic());
-  }
-  const auto poses = message.instantiate<geometry_msgs::PoseArray>();
-  if (!poses) {
-    throw MessageError("topic '" + message.getTopic() + "' holds " + message.getDataType() + ", expected " +
-                       kPosesType + " or " + kDetectionsType);
-  }
-  return fromMessage(*poses, message.getTopic());
 }
 
 void requireTransforms(const std::string& bag, const BagTopics& topics, const std::string& odom_frame) {

@@ -6,20 +6,20 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
+#include "map_matcher/ros/bag_detections.hpp"
 #include "map_matcher/ros/bag_transforms.hpp"
 #include "map_matcher/ros/bag_writing.hpp"
 #include "map_matcher/ros/conversions.hpp"
 #include "map_matcher/ros/detection_messages.hpp"
-#include "map_matcher/ros/waiting_scans.hpp"
+#include "map_matcher/ros/scan_conversions.hpp"
+#include "map_matcher/ros/tf_transforms.hpp"
 
 namespace map_matcher {
 namespace {
 
 const ros::Duration kTfHistory(30.0);  // transforms kept
-
-/// Times of a bag as times that never go back, which messages in a bag's order do not.
-ros::SteadyTime steady(const ros::Time& time) { return {time.sec, time.nsec}; }
 
 std::vector<bool> marked(const std::vector<std::uint32_t>& beams, std::size_t num_beams) {
   std::vector<bool> marks(num_beams, false);
@@ -35,14 +35,18 @@ class BagScrubbing {
   explicit BagScrubbing(const BagScrubbingRequest& request)
       : request_(request),
         tf_(kTfHistory),
-        removal_(tf_.buffer(), request.options.fixed_frame, request.options.scrubbing),
-        waiting_(ros::WallDuration(request.options.sync_timeout)) {
+        transforms_(tf_.buffer()),
+        poses_(transforms_, frameName(request.options.fixed_frame)),
+        removal_(
+            request.options.scrubbing,
+            [this](const FrameAt& set, const FrameAt& scan) { return poses_.lookUp(set, scan); },
+            request.options.waits() ? std::optional<double>(request.options.sync_timeout) : std::nullopt) {
     openBag(bag_, request.bag);
     const BagTopics topics = topicsOf(bag_);
     result_.scan_topic = chooseScanTopic(request.bag, topics, request.scan_topic);
-    detection_topics_ = chooseDetectionTopics(request.bag, topics, request.options.detection_topics);
+    detections_.emplace(request.bag, topics, request.options.detection_topics);
     if (!request.people_topic.empty()) {
-      readPeople(chooseTopic(request.bag, topics, request.people_topic));
+      readPeople(chooseTopic(request.bag, topics, request.people_topic, {"geometry_msgs/PoseArray"}));
     }
     if (!request.output.empty()) {
       openOutput(topics);
@@ -54,17 +58,22 @@ class BagScrubbing {
     rosbag::View view(bag_);
     forEachMessage(bag_, view, [this](const rosbag::MessageInstance& message) {
       copy(message);
+      now_ = message.getTime();
       const std::string& topic = message.getTopic();
       if (topic == "/tf") {
         onTransforms(message);
       } else if (topic == result_.scan_topic) {
         onScan(message);
-      } else if (std::find(detection_topics_.begin(), detection_topics_.end(), topic) != detection_topics_.end()) {
+      } else if (detections_->has(message)) {
         onDetections(message);
       }
-      release(message.getTime());
+      removal_.release(stampOf(now_));
     });
-    release(ros::TIME_MAX);
+    now_ = ros::TIME_MAX;
+    removal_.release(stampOf(now_));
+    if (result_.last_problem.empty()) {
+      result_.last_problem = detections_->lastProblem();
+    }
     if (output_) {
       output_->close();
     }
@@ -76,16 +85,13 @@ class BagScrubbing {
   void readPeople(const std::string& topic) {
     rosbag::View view(bag_, rosbag::TopicQuery(topic));
     forEachMessage(bag_, view, [&](const rosbag::MessageInstance& message) {
-      if (const auto people = message.instantiate<geometry_msgs::PoseArray>()) {
-        const DetectionSet set = fromMessage(*people, topic);
-        if (!set.detections.empty()) {
-          people_[set.stamp] = set;
-        }
+      const DetectionSet set = fromMessage(*readMessage<geometry_msgs::PoseArray>(request_.bag, message), topic);
+      if (!set.detections.empty()) {
+        people_[set.stamp] = set;
       }
     });
     if (people_.empty()) {
-      throw BagError("topic '" + topic + "' of bag '" + request_.bag +
-                     "' shows nobody, expected people in messages of geometry_msgs/PoseArray");
+      throw BagError("topic '" + topic + "' of bag '" + request_.bag + "' shows nobody, expected people");
     }
   }
 
@@ -113,57 +119,56 @@ class BagScrubbing {
   }
 
   void onDetections(const rosbag::MessageInstance& message) {
-    try {
-      DetectionSet set = readDetections(message);
-      applyLimits(set, request_.options.scrubbing.limits);
-      result_.detections += static_cast<std::int64_t>(set.detections.size());
-      waiting_.onDetections(set.frame, set.stamp);
-      removal_.add(std::move(set));
-    } catch (const MessageError& error) {
-      result_.last_problem = error.what();
+    if (std::optional<DetectionSet> set = detections_->read(message)) {
+      result_.detections += removal_.add(std::move(*set)).used;
     }
   }
 
   void onScan(const rosbag::MessageInstance& message) {
-    const auto scan = message.instantiate<sensor_msgs::LaserScan>();
+    const sensor_msgs::LaserScanConstPtr scan = readMessage<sensor_msgs::LaserScan>(request_.bag, message);
     ++result_.scans;
     try {
-      if (const auto jump = removal_.onScan(*scan)) {
+      RawScan raw = rawScanOf(scan);
+      if (const auto jump = removal_.onScan(raw)) {
         result_.last_problem = *jump;
       }
+      // Messages in a bag's order never go back in time, as the clock that scans wait by must not.
+      removal_.scrub(std::move(raw), stampOf(now_),
+                     [this, scan](const ScrubbedScan& scrubbed) { handOn(scan, scrubbed); });
     } catch (const MessageError& error) {
       ++result_.scans_dropped;
       result_.last_problem = error.what();
-      return;
-    }
-    if (request_.options.mode == "synchronised") {
-      waiting_.add(scan, steady(message.getTime()));
-    } else {
-      scrub(scan, message.getTime());
     }
   }
 
-  void release(const ros::Time& now) {
-    for (const WaitingScans::Released& released : waiting_.release(steady(now))) {
-      result_.scans_timed_out += released.answered ? 0 : 1;
-      scrub(released.scan, std::min(now, released.scan->header.stamp + ros::Duration(request_.options.sync_timeout)));
-    }
-  }
-
-  void scrub(const sensor_msgs::LaserScanConstPtr& scan, const ros::Time& time) {
-    const ScrubbedScan scrubbed = removal_.scrub(scan);
-    result_.scans_changed += scrubbed.removed.empty() ? 0 : 1;
+  void handOn(const sensor_msgs::LaserScanConstPtr& scan, const ScrubbedScan& scrubbed) {
+    const RangeRemoval& removal = scrubbed.removal;
+    result_.scans_timed_out += scrubbed.answered ? 0 : 1;
+    result_.scans_changed += removal.removed.empty() ? 0 : 1;
     result_.scans_too_much += scrubbed.tooMany() ? 1 : 0;
-    result_.points += scrubbed.points;
-    result_.removed += static_cast<std::int64_t>(scrubbed.removed.size());
-    count(*scan, scrubbed);
-    if (output_) {
-      output_->write(request_.scrubbed_topic, time, scrubbed.scan);
+    result_.points += removal.points;
+    result_.removed += static_cast<std::int64_t>(removal.removed.size());
+    if (scrubbed.failure.empty()) {
+      count(*scan, removal);
+    } else {
+      result_.last_problem = scrubbed.failure;
     }
+    if (output_) {
+      output_->write(request_.scrubbed_topic, timeOf(*scan), scrubbedMessage(scan, removal));
+    }
+  }
+
+  /// When the lidar_scrubber would have handed the scan on.
+  ros::Time timeOf(const sensor_msgs::LaserScan& scan) const {
+    if (!request_.options.waits()) {
+      return now_;
+    }
+    const Stamp latest = stampOf(scan.header.stamp) + fromSeconds(request_.options.sync_timeout);
+    return std::min(now_, rosTimeOf(latest).value_or(now_));
   }
 
   /// Compares with the people that were really there, where somebody knows.
-  void count(const sensor_msgs::LaserScan& scan, const ScrubbedScan& scrubbed) {
+  void count(const sensor_msgs::LaserScan& scan, const RangeRemoval& removal) {
     const auto found = people_.find(stampOf(scan.header.stamp));
     if (found == people_.end() || found->second.frame != frameOf(scan.header)) {
       return;
@@ -174,7 +179,7 @@ class BagScrubbing {
     }
     ScanScrubber truth;
     const std::vector<std::uint32_t>& near_beams = truth.beamsInside(removal_.scrubber().layout(), scan.ranges, discs);
-    const std::vector<bool> removed = marked(scrubbed.removed, scan.ranges.size());
+    const std::vector<bool> removed = marked(removal.removed, scan.ranges.size());
     const auto near = static_cast<std::int64_t>(near_beams.size());
     const auto near_removed = static_cast<std::int64_t>(
         std::count_if(near_beams.begin(), near_beams.end(), [&removed](std::uint32_t beam) { return removed[beam]; }));
@@ -183,18 +188,20 @@ class BagScrubbing {
     people.people += static_cast<int>(discs.size());
     people.near += near;
     people.near_left += near - near_removed;
-    people.others += scrubbed.points - near;
-    people.others_lost += static_cast<std::int64_t>(scrubbed.removed.size()) - near_removed;
+    people.others += removal.points - near;
+    people.others_lost += static_cast<std::int64_t>(removal.removed.size()) - near_removed;
   }
 
   const BagScrubbingRequest& request_;
   rosbag::Bag bag_;
   std::optional<BagWriter> output_;
-  std::vector<std::string> detection_topics_;
+  std::optional<BagDetections> detections_;
   std::map<Stamp, DetectionSet> people_;
   BagTransforms tf_;
+  TfTransforms transforms_;
+  DetectionPoses poses_;
   PeopleRemoval removal_;
-  WaitingScans waiting_;
+  ros::Time now_;  // up to which the bag has been read
   BagScrubbingResult result_;
 };
 

@@ -45,7 +45,7 @@ class BagSessionMaps {
     forEachMessage(bag_, view, [this](const rosbag::MessageInstance& message) {
       ++result_.maps;
       try {
-        match(*message.instantiate<nav_msgs::OccupancyGrid>());
+        match(*readMessage<nav_msgs::OccupancyGrid>(request_.bag, message));
       } catch (const MessageError& error) {
         leaveOut(error.what());
       } catch (const tf2::TransformException& error) {

@@ -3,13 +3,12 @@
 #include <rosbag/view.h>
 #include <sensor_msgs/LaserScan.h>
 
-#include <algorithm>
 #include <optional>
 #include <utility>
 
 #include "map_matcher/evaluation/simulated_trial.hpp"
+#include "map_matcher/ros/bag_detections.hpp"
 #include "map_matcher/ros/bag_scan_queue.hpp"
-#include "map_matcher/ros/bag_transforms.hpp"
 #include "map_matcher/ros/bag_truth.hpp"
 #include "map_matcher/ros/conversions.hpp"
 #include "map_matcher/ros/scan_conversions.hpp"
@@ -17,39 +16,38 @@
 namespace map_matcher {
 namespace {
 
-const ros::Duration kTfHistory(30.0);  // transforms kept
-constexpr double kWayAhead = 1.5;      // [s] of the robot's way that people know
-constexpr double kWayStep = 0.5;       // [s]
+constexpr double kWayAhead = 1.5;  // [s] of the robot's way that people know
+constexpr double kWayStep = 0.5;   // [s]
 
 class BagTrial {
  public:
   BagTrial(const BagTrialRequest& request, Trial& trial, InsertedCrowd* crowd)
-      : request_(request),
-        trial_(trial),
-        crowd_(crowd),
-        tf_(kTfHistory),
-        queue_([this](const sensor_msgs::LaserScan& scan) { play(scan); }) {
+      : request_(request), trial_(trial), crowd_(crowd) {
     openBag(bag_, request.bag);
     const BagTopics topics = topicsOf(bag_);
     scan_topic_ = chooseScanTopic(request.bag, topics, request.scan_topic);
-    detection_topics_ = chooseDetectionTopics(request.bag, topics, request.detection_topics);
+    detections_.emplace(request.bag, topics, request.detection_topics);
     requireTransforms(request.bag, topics, request.odom_frame);
     truth_ = readTruth(bag_, request.bag,
                        {request.truth_topic, request.truth_frame, {request.odom_frame, request.base_frame}});
   }
 
   BagTrialResult run() {
-    tf_.takeStatic(bag_);
+    BagScanQueue queue(bag_, request_.bag, [&](const sensor_msgs::LaserScan& scan) { play(scan, queue.tf()); });
     rosbag::View view(bag_);
-    forEachMessage(bag_, view, [this](const rosbag::MessageInstance& message) {
-      take(message);
-      queue_.release(message.getTime());
+    forEachMessage(bag_, view, [&](const rosbag::MessageInstance& message) {
+      if (message.getTopic() == scan_topic_) {
+        ++result_.scans;
+        queue.addScan(message);
+      } else if (detections_->has(message)) {
+        takeDetections(message);
+      }
+      queue.read(message);
     });
-    queue_.releaseAll();
-    result_.scans_left_out = queue_.withoutTransforms() + queue_.refused();
-    if (!queue_.lastProblem().empty()) {
-      result_.last_problem = queue_.lastProblem();
-    }
+    queue.finish();
+    result_.scans_left_out = queue.withoutTransforms() + queue.refused();
+    result_.detections_left_out = detections_->leftOut();
+    result_.last_problem = queue.lastProblem().empty() ? detections_->lastProblem() : queue.lastProblem();
     if (result_.scans == result_.scans_left_out) {
       throw BagError("bag '" + request_.bag + "': none of the " + std::to_string(result_.scans) + " scans of " +
                      scan_topic_ + " could be used: " + result_.last_problem);
@@ -58,35 +56,16 @@ class BagTrial {
   }
 
  private:
-  void take(const rosbag::MessageInstance& message) {
-    const std::string& topic = message.getTopic();
-    if (topic == "/tf") {
-      if (const auto transforms = message.instantiate<tf2_msgs::TFMessage>()) {
-        tf_.take(*transforms);
-      }
-    } else if (topic == scan_topic_) {
-      ++result_.scans;
-      queue_.add(message.instantiate<sensor_msgs::LaserScan>(), message.getTime());
-    } else if (std::find(detection_topics_.begin(), detection_topics_.end(), topic) != detection_topics_.end()) {
-      takeDetections(message);
-    }
-  }
-
   void takeDetections(const rosbag::MessageInstance& message) {
-    try {
-      const DetectionSet set = readDetections(message);
-      trial_.add(TrialDetections{seconds(set.stamp), message.getTime().toSec(), 0, set.detections});
-    } catch (const MessageError& error) {
-      ++result_.detections_left_out;
-      result_.last_problem = error.what();
+    if (const std::optional<DetectionSet> set = detections_->read(message)) {
+      trial_.add(TrialDetections{seconds(set->stamp), message.getTime().toSec(), 0, set->detections});
     }
   }
 
-  void play(const sensor_msgs::LaserScan& message) {
+  void play(const sensor_msgs::LaserScan& message, const tf2::BufferCore& tf) {
     const ros::Time stamp = message.header.stamp;
-    const auto odometry =
-        tf_.buffer().lookupTransform(frameName(request_.odom_frame), frameName(request_.base_frame), stamp);
-    const auto mount = tf_.buffer().lookupTransform(frameName(request_.base_frame), frameOf(message.header), stamp);
+    const auto odometry = tf.lookupTransform(frameName(request_.odom_frame), frameName(request_.base_frame), stamp);
+    const auto mount = tf.lookupTransform(frameName(request_.base_frame), frameOf(message.header), stamp);
     TrialStep step;
     step.time = stamp.toSec();
     step.T_odom_base = projectToPlane(odometry.transform, "the odometry");
@@ -125,10 +104,8 @@ class BagTrial {
   InsertedCrowd* crowd_;  // may be null
   rosbag::Bag bag_;
   std::string scan_topic_;
-  std::vector<std::string> detection_topics_;
+  std::optional<BagDetections> detections_;
   std::optional<BagTruth> truth_;
-  BagTransforms tf_;
-  BagScanQueue queue_;
   BagTrialResult result_;
 };
 

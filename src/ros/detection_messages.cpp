@@ -1,5 +1,7 @@
 #include "map_matcher/ros/detection_messages.hpp"
 
+#include <limits>
+
 #include "map_matcher/ros/conversions.hpp"
 
 namespace map_matcher {
@@ -14,6 +16,14 @@ Eigen::Vector3d toEigen(const geometry_msgs::Point& point) { return {point.x, po
 }  // namespace
 
 Stamp stampOf(const ros::Time& time) { return std::chrono::seconds(time.sec) + std::chrono::nanoseconds(time.nsec); }
+
+std::optional<ros::Time> rosTimeOf(Stamp stamp) {
+  const auto whole = std::chrono::duration_cast<std::chrono::seconds>(stamp);
+  if (stamp < Stamp(0) || whole.count() > std::numeric_limits<std::uint32_t>::max()) {
+    return std::nullopt;
+  }
+  return ros::Time(static_cast<std::uint32_t>(whole.count()), static_cast<std::uint32_t>((stamp - whole).count()));
+}
 
 DetectionSet fromMessage(const geometry_msgs::PoseArray& message, const std::string& source) {
   DetectionSet set = emptySet(message.header, source);

@@ -1,5 +1,6 @@
 #include "map_matcher/ros/detection_subscriber.hpp"
 
+#include <exception>
 #include <utility>
 
 #include "map_matcher/ros/conversions.hpp"
@@ -38,9 +39,7 @@ DetectionSubscriber::DetectionSubscriber(ros::NodeHandle node, const std::string
 void DetectionSubscriber::onMessage(const topic_tools::ShapeShifter& message) const {
   try {
     on_detections_(read(message, topic_));
-  } catch (const MessageError& error) {
-    on_bad_message_(error.what());
-  } catch (const ros::Exception& error) {  // a message shorter than its type
+  } catch (const std::exception& error) {  // no people in it, a message shorter than its type, or no memory for it
     on_bad_message_(error.what());
   }
 }

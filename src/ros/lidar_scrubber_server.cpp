@@ -3,12 +3,14 @@
 #include <ros/console.h>
 
 #include <algorithm>
+#include <chrono>
 #include <set>
 #include <stdexcept>
 #include <utility>
 
 #include "map_matcher/ros/conversions.hpp"
 #include "map_matcher/ros/detection_messages.hpp"
+#include "map_matcher/ros/scan_conversions.hpp"
 
 namespace map_matcher {
 namespace {
@@ -35,117 +37,117 @@ LidarScrubberServerOptions checked(LidarScrubberServerOptions options) {
   return options;
 }
 
+DetectorLimits limitsOf(const LidarScrubberServerOptions& options) {
+  return {options.silence_warning, options.silence_error, options.scrubbing.cache.cache_duration};
+}
+
+Stamp rosNow() { return stampOf(ros::Time::now()); }
+
+/// Of a clock that never goes back.
+Stamp steadyNow() { return std::chrono::steady_clock::now().time_since_epoch(); }
+
 }  // namespace
 
 LidarScrubberServer::LidarScrubberServer(ros::NodeHandle node, const ros::NodeHandle& private_node,
                                          const LidarScrubberServerOptions& options)
     : options_(checked(options)),
-      waiting_scans_(ros::WallDuration(options_.sync_timeout)),
-      detectors_(options_.detection_topics, options_.silence_warning, options_.silence_error,
-                 options_.scrubbing.cache.cache_duration),
+      detectors_(options_.detection_topics, limitsOf(options_)),
       tf_listener_(tf_, node),
-      removal_(tf_, options_.fixed_frame, options_.scrubbing),
-      veto_(node, tf_, options_.wall_veto_distance),
+      transforms_(tf_),
+      poses_(transforms_, frameName(options_.fixed_frame)),
+      removal_(
+          options_.scrubbing, [this](const FrameAt& set, const FrameAt& scan) { return poses_.lookUp(set, scan); },
+          options_.waits() ? std::optional<double>(options_.sync_timeout) : std::nullopt),
+      veto_(node, transforms_, options_.wall_veto_distance),
       display_(node),
-      diagnostics_(node, private_node, record_, detectors_),
+      diagnostics_(node, private_node, {record_, detectors_, removal_, veto_, guard_}),
       scan_publisher_(node.advertise<sensor_msgs::LaserScan>("scan_scrubbed", kScanQueue)) {
-  detectors_.restart(ros::Time::now());
+  detectors_.restart(rosNow());
   for (const std::string& topic : options_.detection_topics) {
     detection_subscribers_.push_back(std::make_unique<DetectionSubscriber>(
         node, topic, [this](DetectionSet set) { onDetections(std::move(set)); },
-        [this, topic](const std::string& reason) { onBadDetections(topic, reason); }));
+        [this, topic](const std::string& reason) {
+          guard_.run("bad detections", [&] { onBadDetections(topic, reason); });
+        }));
   }
   scan_subscriber_ = node.subscribe<sensor_msgs::LaserScan>(
       "scan", kScanQueue, [this](const sensor_msgs::LaserScanConstPtr& scan) { onScan(scan); });
-  if (options_.mode == "synchronised") {
-    waiting_timer_ = node.createSteadyTimer(kWaitingPeriod, [this](const auto& /*event*/) { releaseWaiting(); });
+  if (options_.waits()) {
+    waiting_timer_ = node.createSteadyTimer(kWaitingPeriod, [this](const auto& /*event*/) {
+      guard_.run("waiting scans", [this] { removal_.release(steadyNow()); });
+    });
   }
 }
 
 void LidarScrubberServer::onScan(const sensor_msgs::LaserScanConstPtr& scan) {
-  const ros::Time now = ros::Time::now();
+  if (!guard_.run("scan", [&] { takeScan(scan); })) {
+    handOnAsItIs(scan);
+  }
+}
+
+void LidarScrubberServer::onDetections(DetectionSet set) {
+  guard_.run("detections of " + set.source, [&] { takeDetections(std::move(set)); });
+}
+
+void LidarScrubberServer::takeScan(const sensor_msgs::LaserScanConstPtr& scan) {
+  const Stamp now = rosNow();
   if (record_.scans == 0) {
     detectors_.restart(now);
   }
   ++record_.scans;
   record_.last_scan = now;
-  if (!isUsable(*scan, now) || isWithheld(now)) {
-    return;
-  }
-  if (options_.mode == "synchronised") {
-    waiting_scans_.add(scan, ros::SteadyTime::now());
-    releaseWaiting();
-  } else {
-    scrub(scan);
+  if (std::optional<RawScan> raw = usable(scan, now)) {
+    removal_.scrub(std::move(*raw), steadyNow(),
+                   [this, scan](const ScrubbedScan& scrubbed) { handOn(scan, scrubbed); });
   }
 }
 
-bool LidarScrubberServer::isUsable(const sensor_msgs::LaserScan& scan, const ros::Time& now) {
+/// The scan when it makes sense.
+std::optional<RawScan> LidarScrubberServer::usable(const sensor_msgs::LaserScanConstPtr& scan, Stamp now) {
   try {
-    if (const auto jump = removal_.onScan(scan)) {
+    RawScan raw = rawScanOf(scan);
+    if (const auto jump = removal_.onScan(raw)) {
       ROS_WARN_STREAM(*jump << ": the detections so far are forgotten");
       detectors_.restart(now);
     }
-    return true;
+    return raw;
   } catch (const MessageError& error) {
     ++record_.dropped;
     record_.last_problem = error.what();
     ROS_WARN_STREAM_THROTTLE(kWarningPeriod, "scan dropped (" << record_.dropped << " so far): " << error.what());
-    return false;
+    return std::nullopt;
   }
 }
 
-bool LidarScrubberServer::isWithheld(const ros::Time& now) {
-  if (options_.on_silence != "drop") {
-    return false;
-  }
-  const std::vector<std::string> silent = detectors_.silentTopics(now);
-  if (silent.empty() && detectors_.allHeard()) {
-    return false;
-  }
-  ++record_.withheld;
-  ROS_WARN_STREAM_THROTTLE(kWarningPeriod, "scan withheld (" << record_.withheld << " so far), since nothing comes on "
-                                                             << (silent.empty() ? "a detection topic" : silent.front())
-                                                             << " and ~on_silence is drop");
-  return true;
-}
-
-void LidarScrubberServer::releaseWaiting() {
-  for (const WaitingScans::Released& released : waiting_scans_.release(ros::SteadyTime::now())) {
-    record_.timed_out += released.answered ? 0 : 1;
-    scrub(released.scan);
-  }
-}
-
-void LidarScrubberServer::onDetections(DetectionSet set) {
-  const ros::Time now = ros::Time::now();
+void LidarScrubberServer::takeDetections(DetectionSet set) {
+  const Stamp now = rosNow();
   DetectorRecord& record = detectors_.record(set.source);
   if (isFromTheFuture(record, set, now)) {
     return;
   }
-  ++record.messages;
-  record.last_heard = now;
-  const LeftOut left_out = applyLimits(set, options_.scrubbing.limits);
-  if (left_out.not_finite + left_out.too_many > 0) {
+  detectors_.onDetections(set, now);
+  const Veto veto = veto_.at({set.frame, set.stamp});
+  ++(veto ? record_.with_veto : record_.without_veto);
+  const std::string source = set.source;
+  const AddedDetections added = removal_.add(std::move(set), veto);
+  if (added.left_out.not_finite + added.left_out.too_many > 0) {
     ROS_WARN_STREAM_THROTTLE(
-        kWarningPeriod, set.source << ": left out " << left_out.not_finite
-                                   << " detections without a finite position within 10 km and " << left_out.too_many
-                                   << " beyond max_detections = " << options_.scrubbing.limits.max_detections);
+        kWarningPeriod, source << ": left out " << added.left_out.not_finite
+                               << " detections without a finite position within 10 km and " << added.left_out.too_many
+                               << " beyond max_detections = " << options_.scrubbing.limits.max_detections);
   }
-  record.left_out += left_out.total();
-  record.on_walls += veto_.apply(set);
-  record.detections += static_cast<std::int64_t>(set.detections.size());
-  waiting_scans_.onDetections(set.frame, set.stamp);
-  removal_.add(std::move(set));
-  releaseWaiting();
+  record.left_out += added.left_out.total();
+  record.on_walls += added.vetoed;
+  record.detections += added.used;
+  removal_.release(steadyNow());
 }
 
-bool LidarScrubberServer::isFromTheFuture(DetectorRecord& record, const DetectionSet& set, const ros::Time& now) {
-  if (record_.last_scan.isZero()) {
+bool LidarScrubberServer::isFromTheFuture(DetectorRecord& record, const DetectionSet& set, Stamp now) {
+  if (record_.last_scan == Stamp(0)) {
     return false;
   }
   record.last_delay = seconds(removal_.newestScan() - set.stamp);
-  const double latest = (now - record_.last_scan).toSec() + kMaxFuture;  // [s] after the newest scan
+  const double latest = seconds(now - record_.last_scan) + kMaxFuture;  // [s] after the newest scan
   if (-record.last_delay <= latest) {
     return false;
   }
@@ -162,29 +164,82 @@ void LidarScrubberServer::onBadDetections(const std::string& topic, const std::s
       kWarningPeriod, topic << ": detections dropped (" << record.bad_messages << " messages so far): " << reason);
 }
 
-void LidarScrubberServer::scrub(const sensor_msgs::LaserScanConstPtr& scan) {
-  const PeopleRemoval::PathCounts paths_before = removal_.paths();
-  const ScrubbedScan scrubbed = removal_.scrub(scan);
-  scan_publisher_.publish(scrubbed.scan);
-  display_.show(scan->header, removal_.scrubber(), scrubbed.removed, removal_.discs());
-  record_.last_removed = scrubbed.removed.size();
-  record_.removed_beams += static_cast<std::int64_t>(scrubbed.removed.size());
-  record_.paths = removal_.paths();
-  tellOfPaths(paths_before);
-  if (scrubbed.tooMany()) {
-    ++record_.too_much;
-    ROS_WARN_STREAM_THROTTLE(kWarningPeriod, "scan passed as it is ("
-                                                 << record_.too_much << " so far): " << scrubbed.near_people << " of "
-                                                 << scrubbed.points << " points are near people, expected at most "
-                                                 << options_.scrubbing.max_removed_fraction
-                                                 << " of them (max_removed_fraction)");
+void LidarScrubberServer::handOn(const sensor_msgs::LaserScanConstPtr& scan, const ScrubbedScan& scrubbed) {
+  bool is_settled = false;
+  guard_.run("scrubbed scan", [&] {
+    const Stamp now = rosNow();
+    record_.timed_out += scrubbed.answered ? 0 : 1;
+    detectors_.onScan(stampOf(scan->header.stamp), now);
+    if (!isWithheld(scrubbed, now)) {
+      scan_publisher_.publish(scrubbedMessage(scan, scrubbed.removal));
+    }
+    is_settled = true;
+    tellOf(scan, scrubbed);
+  });
+  if (!is_settled) {
+    handOnAsItIs(scan);
   }
 }
 
-void LidarScrubberServer::tellOfPaths(const PeopleRemoval::PathCounts& before) const {
+bool LidarScrubberServer::isWithheld(const ScrubbedScan& scrubbed, Stamp now) {
+  if (!scrubbed.failure.empty()) {
+    guard_.fail("scan", scrubbed.failure);
+  }
+  if (options_.on_silence != "drop") {
+    return false;
+  }
+  if (!scrubbed.failure.empty()) {
+    withhold("it could not be scrubbed");
+    return true;
+  }
+  const std::vector<std::string> useless = detectors_.uselessTopics(now);
+  if (useless.empty()) {
+    return false;
+  }
+  withhold("nothing comes on " + useless.front() + ", or all of it too late,");
+  return true;
+}
+
+/// For a scan with which something went wrong.
+void LidarScrubberServer::handOnAsItIs(const sensor_msgs::LaserScanConstPtr& scan) {
+  guard_.run("scan as it is", [&] {
+    if (options_.on_silence == "drop") {
+      withhold("it could not be scrubbed");
+    } else {
+      scan_publisher_.publish(scan);
+    }
+  });
+}
+
+void LidarScrubberServer::withhold(const std::string& reason) {
+  ++record_.withheld;
+  ROS_WARN_STREAM_THROTTLE(kWarningPeriod, "scan withheld (" << record_.withheld << " so far), since " << reason
+                                                             << " and ~on_silence is drop");
+}
+
+void LidarScrubberServer::tellOf(const sensor_msgs::LaserScanConstPtr& scan, const ScrubbedScan& scrubbed) {
+  const RangeRemoval& removal = scrubbed.removal;
+  record_.last_removed = removal.removed.size();
+  record_.removed_beams += static_cast<std::int64_t>(removal.removed.size());
+  tellOfPaths();
+  if (scrubbed.tooMany()) {
+    ++record_.too_much;
+    ROS_WARN_STREAM_THROTTLE(kWarningPeriod, "scan passed as it is ("
+                                                 << record_.too_much << " so far): " << removal.near_people << " of "
+                                                 << removal.points << " points are near people, expected at most "
+                                                 << options_.scrubbing.max_removed_fraction
+                                                 << " of them (max_removed_fraction)");
+  }
+  if (scrubbed.failure.empty()) {
+    display_.show(scan->header, removal_.scrubber(), removal.removed, removal_.discs());
+  }
+}
+
+void LidarScrubberServer::tellOfPaths() {
+  const PeopleRemoval::PathCounts before = std::exchange(record_.paths, removal_.paths());
   const auto taken = [&](PosePath path) {
     const auto index = static_cast<std::size_t>(path);
-    return removal_.paths()[index] > before[index];
+    return record_.paths[index] > before[index];
   };
   if (taken(PosePath::kNone)) {
     ROS_WARN_STREAM_THROTTLE(kWarningPeriod, "detections in frame " << removal_.unknownFrame()

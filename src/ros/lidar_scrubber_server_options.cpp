@@ -24,7 +24,7 @@ ParameterList parametersOf(LidarScrubberServerOptions& options) {
        3600.0},
       {"on_silence",
        "",
-       "What becomes of scans while a detector was silent for longer than silence_error.",
+       "What becomes of scans while a detector is silent, or too late for every scan, for longer than silence_error.",
        &options.on_silence,
        {},
        {},

@@ -3,10 +3,12 @@
 #include <tf2/LinearMath/Matrix3x3.h>
 #include <tf2/LinearMath/Quaternion.h>
 
+#include <boost/make_shared.hpp>
 #include <cmath>
 #include <stdexcept>
 
 #include "map_matcher/ros/conversions.hpp"
+#include "map_matcher/ros/detection_messages.hpp"
 
 namespace map_matcher {
 namespace {
@@ -55,6 +57,22 @@ void checkLayout(const sensor_msgs::LaserScan& message) {
     throw MessageError("angle_max is " + std::to_string(angle_max) + ", expected the angle of the last of the " +
                        std::to_string(message.ranges.size()) + " beams, " + std::to_string(last_angle) + " rad");
   }
+}
+
+RawScan rawScanOf(const sensor_msgs::LaserScanConstPtr& message) {
+  checkLayout(*message);
+  const std::shared_ptr<const std::vector<float>> ranges(&message->ranges, [message](const auto* /*its part*/) {});
+  return {frameOf(message->header), stampOf(message->header.stamp), layoutOf(*message), ranges};
+}
+
+sensor_msgs::LaserScanConstPtr scrubbedMessage(const sensor_msgs::LaserScanConstPtr& message,
+                                               const RangeRemoval& removal) {
+  if (removal.removed.empty()) {
+    return message;
+  }
+  const auto scrubbed = boost::make_shared<sensor_msgs::LaserScan>(*message);
+  scrubbed->ranges = removal.ranges;
+  return scrubbed;
 }
 
 PlanarScan fromMessage(const sensor_msgs::LaserScan& message) {

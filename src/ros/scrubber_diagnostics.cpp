@@ -1,35 +1,40 @@
 #include "map_matcher/ros/scrubber_diagnostics.hpp"
 
-#include "map_matcher/ros/diagnostic_levels.hpp"
+#include <ros/time.h>
+
+#include "map_matcher/ros/detection_messages.hpp"
 
 namespace map_matcher {
 namespace {
 
-using diagnostic_updater::DiagnosticStatusWrapper;
 using diagnostics::kError;
 using diagnostics::kOk;
 using diagnostics::kWarn;
 
 constexpr double kScanSilence = 2.0;  // [s] without a scan that is an error
-const ros::WallDuration kReportPeriod(1.0);
+
+Stamp rosNow() { return stampOf(ros::Time::now()); }
 
 std::int64_t countOf(const ScanRecord& record, PosePath path) { return record.paths[static_cast<std::size_t>(path)]; }
 
 }  // namespace
 
 ScrubberDiagnostics::ScrubberDiagnostics(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
-                                         const ScanRecord& scans, const DetectorWatch& detectors)
-    : scans_(scans), detectors_(detectors), updater_(node, private_node, private_node.getNamespace()) {
-  updater_.setHardwareID("none");
-  updater_.add("scans", [this](DiagnosticStatusWrapper& status) { reportScans(status); });
-  updater_.add("scrubbing", [this](DiagnosticStatusWrapper& status) { reportScrubbing(status); });
-  for (const auto& entry : detectors_.records()) {
-    const std::string& topic = entry.first;
-    updater_.add("detections " + topic,
-                 [this, topic](DiagnosticStatusWrapper& status) { reportDetector(topic, status); });
+                                         const ScrubberState& state)
+    : state_(state), report_(node, private_node, [this] {
+        last_ = now_;
+        now_ = state_.scans;
+        now_.failures = state_.guard.failures();
+      }) {
+  report_.add("scans", [this](Status& status) { reportScans(status); });
+  report_.add("scrubbing", [this](Status& status) { reportScrubbing(status); });
+  if (state_.veto.isAskedFor()) {
+    report_.add("wall veto", [this](Status& status) { reportVeto(status); });
   }
-  timer_ =
-      node.createWallTimer(kReportPeriod, [this](const ros::WallTimerEvent& /*event*/) { updater_.force_update(); });
+  for (const auto& entry : state_.detectors.records()) {
+    const std::string& topic = entry.first;
+    report_.add("detections " + topic, [this, topic](Status& status) { reportDetector(topic, status); });
+  }
 }
 
 double ScrubberDiagnostics::Rate::update(std::int64_t new_count) {
@@ -41,54 +46,106 @@ double ScrubberDiagnostics::Rate::update(std::int64_t new_count) {
   return rate;
 }
 
-void ScrubberDiagnostics::reportScans(DiagnosticStatusWrapper& status) {
-  const ros::Time now = ros::Time::now();
-  if (scans_.last_scan.isZero()) {
+void ScrubberDiagnostics::reportScans(Status& status) {
+  const double silence = seconds(rosNow() - now_.last_scan);
+  if (now_.last_scan == Stamp(0)) {
     status.summary(kWarn, "no scan yet");
-  } else if ((now - scans_.last_scan).toSec() > kScanSilence) {
-    status.summaryf(kError, "no scan for %.1f s", (now - scans_.last_scan).toSec());
-  } else if (scans_.dropped > last_scans_.dropped) {
-    status.summary(kError, "scans dropped: " + scans_.last_problem);
-  } else if (scans_.withheld > last_scans_.withheld) {
-    status.summary(kError, "scans withheld, since a detector is silent");
+  } else if (silence > kScanSilence) {
+    status.summaryf(kError, "no scan for %.1f s", silence);
+  } else if (now_.failures > last_.failures) {
+    status.summary(kError, "failed: " + state_.guard.lastFailure());
+  } else if (now_.dropped > last_.dropped) {
+    status.summary(kError, "scans dropped: " + now_.last_problem);
+  } else if (now_.withheld > last_.withheld) {
+    status.summary(kError, "scans withheld, since people might be in them");
   } else {
     status.summary(kOk, "scans arrive");
   }
-  status.addf("rate [Hz]", "%.1f", scan_rate_.update(scans_.scans));
-  status.add("scans", scans_.scans);
-  status.add("dropped", scans_.dropped);
-  status.add("withheld", scans_.withheld);
-  status.add("waited in vain for detections", scans_.timed_out);
+  status.addf("rate [Hz]", "%.1f", scan_rate_.update(now_.scans));
+  status.add("scans", now_.scans);
+  status.add("dropped", now_.dropped);
+  status.add("withheld", now_.withheld);
+  status.add("waited in vain for detections", now_.timed_out);
+  status.add("last problem", now_.last_problem);
+  status.add("failures", now_.failures);
+  status.add("last failure", state_.guard.lastFailure());
 }
 
-void ScrubberDiagnostics::reportScrubbing(DiagnosticStatusWrapper& status) {
-  const auto more = [this](PosePath path) { return countOf(scans_, path) > countOf(last_scans_, path); };
-  if (scans_.too_much > last_scans_.too_much) {
-    status.summary(kError, "scans passed as they were: more than max_removed_fraction would have been removed");
-  } else if (more(PosePath::kNone)) {
-    status.summary(kError, "detections not used: tf does not connect their frame with the scan's");
-  } else if (more(PosePath::kSensorFrame)) {
-    status.summary(kWarn, "detections used as if the robot stood still: tf does not know how it moved");
-  } else {
-    status.summary(kOk, "people are removed where they are");
-  }
-  status.add("removed beams, last scan", scans_.last_removed);
-  status.add("removed beams", scans_.removed_beams);
-  status.add("scans passed as they were", scans_.too_much);
+void ScrubberDiagnostics::reportScrubbing(Status& status) {
+  summarizeScrubbing(status);
+  status.add("removed beams, last scan", now_.last_removed);
+  status.add("removed beams", now_.removed_beams);
+  status.add("scans passed as they were", now_.too_much);
   for (const PosePath path : {PosePath::kFixedFrame, PosePath::kNewest, PosePath::kSensorFrame, PosePath::kNone}) {
-    status.add(std::string("detections placed: ") + toString(path), countOf(scans_, path));
+    status.add(std::string("detections placed: ") + toString(path), countOf(now_, path));
   }
-  last_scans_ = scans_;
 }
 
-void ScrubberDiagnostics::reportDetector(const std::string& topic, DiagnosticStatusWrapper& status) {
-  const DetectorRecord& record = detectors_.records().at(topic);
-  const ros::Time now = ros::Time::now();
-  const double silence = detectors_.silence(record, now);
-  switch (detectors_.health(record, now)) {
+/// The worst that is so; what the detectors lack is told by each of them, too.
+void ScrubberDiagnostics::summarizeScrubbing(Status& status) const {
+  const auto more = [this](PosePath path) { return countOf(now_, path) > countOf(last_, path); };
+  status.summary(kOk, "people are removed where they are");
+  if (now_.scans == last_.scans) {
+    status.mergeSummary(kWarn, "no scan since the last report");
+  }
+  if (now_.too_much > last_.too_much) {
+    status.mergeSummary(kError, "scans passed as they were: more than max_removed_fraction would have been removed");
+  }
+  if (more(PosePath::kNone)) {
+    status.mergeSummary(kError, "detections not used: tf does not connect their frame with the scan's");
+  } else if (more(PosePath::kSensorFrame)) {
+    status.mergeSummary(kWarn, "detections used as if the robot stood still: tf does not know how it moved");
+  }
+  for (const auto& [topic, record] : state_.detectors.records()) {
+    Status detector;
+    summarizeDetector(record, detector);
+    if (detector.level != kOk) {
+      status.mergeSummary(static_cast<unsigned char>(detector.level), topic + " " + detector.message);
+    }
+  }
+}
+
+void ScrubberDiagnostics::reportVeto(Status& status) const {
+  if (!state_.veto.hasMap()) {
+    status.summary(kWarn, "off: no reference map yet");
+  } else if (now_.without_veto > last_.without_veto) {
+    status.summary(kWarn, "off: tf does not tell where the detections were in the reference map");
+  } else if (now_.with_veto == last_.with_veto) {
+    status.summary(kWarn, "no detections since the last report");
+  } else {
+    status.summary(kOk, "detections on walls are left out");
+  }
+  status.add("messages compared with the map", now_.with_veto);
+  status.add("messages not compared", now_.without_veto);
+  status.add("dropped maps", state_.veto.droppedMaps());
+}
+
+void ScrubberDiagnostics::reportDetector(const std::string& topic, Status& status) {
+  const DetectorRecord& record = state_.detectors.records().at(topic);
+  summarizeDetector(record, status);
+  status.addf("rate [Hz]", "%.1f", detector_rates_[topic].update(record.messages));
+  status.addf("silent for [s]", "%.2f", state_.detectors.silence(record, rosNow()));
+  status.addf("behind the scans [s]", "%.3f", record.last_delay);
+  status.add("messages", record.messages);
+  status.add("detections used", record.detections);
+  status.add("detections left out", record.left_out);
+  status.add("detections on walls", record.on_walls);
+  status.add("bad messages", record.bad_messages);
+  status.add("last problem", record.last_problem);
+}
+
+void ScrubberDiagnostics::summarizeDetector(const DetectorRecord& record, Status& status) const {
+  const Stamp now = rosNow();
+  const double silence = state_.detectors.silence(record, now);
+  const bool is_heard = record.last_heard != Stamp(0);
+  switch (state_.detectors.health(record, now)) {
     case DetectorHealth::kAlive:
-      status.summary(record.last_heard.isZero() ? kWarn : kOk,
-                     record.last_heard.isZero() ? "nothing heard yet" : "alive");
+      if (is_heard && pathOf(record) == PosePath::kNone) {
+        status.summary(kError, "not used: tf does not connect its frame " + record.frame + " with the scans' frame " +
+                                   state_.removal.scanFrame());
+      } else {
+        status.summary(is_heard ? kOk : kWarn, is_heard ? "alive" : "nothing heard yet");
+      }
       break;
     case DetectorHealth::kQuiet:
       status.summaryf(kWarn, "silent for %.1f s", silence);
@@ -97,18 +154,14 @@ void ScrubberDiagnostics::reportDetector(const std::string& topic, DiagnosticSta
       status.summaryf(kError, "silent for %.1f s", silence);
       break;
     case DetectorHealth::kTooLate:
-      status.summaryf(kError, "%.2f s behind the scans: later than cache_duration, so that nothing is removed",
+      status.summaryf(kError, "%.2f s behind the scans: too late for all of them, so that nothing is removed",
                       record.last_delay);
   }
-  status.addf("rate [Hz]", "%.1f", detector_rates_[topic].update(record.messages));
-  status.addf("silent for [s]", "%.2f", silence);
-  status.addf("behind the scans [s]", "%.3f", record.last_delay);
-  status.add("messages", record.messages);
-  status.add("detections used", record.detections);
-  status.add("detections left out", record.left_out);
-  status.add("detections on walls", record.on_walls);
-  status.add("bad messages", record.bad_messages);
-  status.add("last problem", record.last_problem);
+}
+
+/// The way that its last message, even an empty one, takes into the scans' frame; nothing before there is a scan.
+std::optional<PosePath> ScrubberDiagnostics::pathOf(const DetectorRecord& record) const {
+  return state_.removal.pathFrom({record.frame, record.stamp});
 }
 
 }  // namespace map_matcher

@@ -1,25 +1,40 @@
 #include "map_matcher/scan/planar_scan.hpp"
 
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
 namespace map_matcher {
+namespace {
+
+constexpr double kMaxAngle = 1000.0;    // [rad] many turns; farther from 0 sines say nothing
+constexpr double kMinIncrement = 1e-6;  // [rad] no laser has millions of beams a turn
+constexpr double kMaxRange = 1e6;       // [m] so that range_max + 1 m is still another number in 32 bits
+
+/// "angle_min is 1e+30, expected a finite angle in rad"
+std::string unexpected(const char* name, double value, const std::string& expected) {
+  std::ostringstream text;
+  text << name << " is " << value << ", expected " << expected;
+  return text.str();
+}
+
+}  // namespace
 
 void ScanLayout::validate() const {
-  if (!std::isfinite(angle_min)) {
-    throw std::invalid_argument("angle_min is " + std::to_string(angle_min) + ", expected a finite angle in rad");
+  if (!(std::abs(angle_min) <= kMaxAngle)) {
+    throw std::invalid_argument(unexpected("angle_min", angle_min, "-1000 to 1000 rad"));
   }
-  if (!std::isfinite(angle_increment) || angle_increment == 0.0) {
-    throw std::invalid_argument("angle_increment is " + std::to_string(angle_increment) +
-                                ", expected a finite angle in rad other than 0");
+  if (!(std::abs(angle_increment) >= kMinIncrement && std::abs(angle_increment) <= 2.0 * M_PI)) {
+    throw std::invalid_argument(
+        unexpected("angle_increment", angle_increment, "1e-6 rad to a turn, in either direction"));
   }
-  if (!std::isfinite(range_min) || range_min < 0.0) {
-    throw std::invalid_argument("range_min is " + std::to_string(range_min) + ", expected at least 0 m");
+  if (!(range_min >= 0.0 && range_min <= kMaxRange)) {
+    throw std::invalid_argument(unexpected("range_min", range_min, "0 to 1e6 m"));
   }
-  if (!std::isfinite(range_max) || range_max <= range_min) {
-    throw std::invalid_argument("range_max is " + std::to_string(range_max) +
-                                ", expected more than range_min = " + std::to_string(range_min) + " m");
+  if (!(range_max > range_min && range_max <= kMaxRange)) {
+    throw std::invalid_argument(
+        unexpected("range_max", range_max, "more than range_min = " + std::to_string(range_min) + " and up to 1e6 m"));
   }
 }
 

@@ -41,4 +41,8 @@ LeftOut applyLimits(DetectionSet& set, const DetectionLimits& limits) {
   return left_out;
 }
 
+int applyVeto(DetectionSet& set, const Veto& veto) {
+  return veto ? removeUnless(set.detections, [&veto](const Detection& detection) { return !veto(detection); }) : 0;
+}
+
 }  // namespace map_matcher

@@ -7,7 +7,6 @@
 namespace map_matcher {
 namespace {
 
-constexpr double kTurn = 2.0 * M_PI;
 constexpr double kBeamMargin = 1.0;  // [beams] looked at beyond the edges of a disc, for rounding
 
 }  // namespace
@@ -61,31 +60,21 @@ void ScanScrubber::placePoints(const std::vector<float>& ranges) {
 /// Only the beams that point at the disc are looked at: those within asin(radius / distance) of its centre.
 void ScanScrubber::markInside(const Disc& disc) {
   const double distance = disc.centre.norm();
-  const auto last_beam = static_cast<double>(cosines_.size()) - 1.0;
   if (!(distance - disc.radius <= layout_.range_max)) {
     return;
   }
   if (distance <= disc.radius) {
-    markRange(disc, 0.0, last_beam);
+    markRange(disc, {0, inside_.size()});
     return;
   }
-  const double direction = std::atan2(disc.centre.y(), disc.centre.x());
-  const double half_width = std::asin(disc.radius / distance);
-  const double turn = kTurn / std::abs(layout_.angle_increment);  // [beams]
-  const double half_beams = half_width / std::abs(layout_.angle_increment) + kBeamMargin;
-  double middle = (direction - layout_.angle_min) / layout_.angle_increment;  // [beams]
-  middle -= turn * std::floor((middle + half_beams) / turn);                  // the first that may reach beam 0
-  for (; middle - half_beams <= last_beam; middle += turn) {                  // a scan may hold more than one turn
-    markRange(disc, middle - half_beams, middle + half_beams);
-  }
+  visitBeamsNear(layout_.angle_min, layout_.angle_increment, inside_.size(),
+                 std::atan2(disc.centre.y(), disc.centre.x()), std::asin(disc.radius / distance), kBeamMargin,
+                 [&](const BeamRange& beams) { markRange(disc, beams); });
 }
 
-void ScanScrubber::markRange(const Disc& disc, double first_beam, double last_beam) {
-  const auto begin = static_cast<std::size_t>(std::max(0.0, std::ceil(first_beam)));
-  const auto end =
-      static_cast<std::size_t>(std::clamp(std::floor(last_beam) + 1.0, 0.0, static_cast<double>(inside_.size())));
+void ScanScrubber::markRange(const Disc& disc, const BeamRange& beams) {
   const double squared_radius = disc.radius * disc.radius;
-  for (std::size_t i = begin; i < end; ++i) {
+  for (std::size_t i = beams.begin; i < beams.end; ++i) {
     const double dx = x_[i] - disc.centre.x();
     const double dy = y_[i] - disc.centre.y();
     inside_[i] = static_cast<std::uint8_t>(inside_[i] | static_cast<std::uint8_t>(dx * dx + dy * dy <= squared_radius));

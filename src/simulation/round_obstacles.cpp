@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "map_matcher/scan/beams_near.hpp"
+
 namespace map_matcher {
 namespace {
 
@@ -27,23 +29,6 @@ double entryInto(const SeenCircle& circle, double angle) {
   return along > 0.0 && half_chord_squared >= 0.0 ? along - std::sqrt(half_chord_squared) : kInfinity;
 }
 
-/// Calls `visit(i)` for the rays within `half_width` [rad] of a bearing, and perhaps for its neighbours.
-template <typename Visit>
-void visitRays(const RayFan& fan, std::size_t num_rays, double bearing, double half_width, Visit&& visit) {
-  const double width = half_width / std::abs(fan.angle_increment);        // [rays]
-  const double full_turn = 2.0 * M_PI / std::abs(fan.angle_increment);    // [rays]
-  const double centre = (bearing - fan.angle_min) / fan.angle_increment;  // [rays], up to whole turns
-  const double first_centre = centre - std::floor((centre + width) / full_turn) * full_turn;
-  const auto last_ray = static_cast<double>(num_rays) - 1.0;
-  for (double c = first_centre; c - width <= last_ray; c += full_turn) {
-    const auto first = static_cast<std::size_t>(std::max(0.0, std::ceil(c - width)));
-    const double last = std::min(last_ray, std::floor(c + width));
-    for (std::size_t i = first; static_cast<double>(i) <= last; ++i) {
-      visit(i);
-    }
-  }
-}
-
 }  // namespace
 
 RaysOnCircles castOnCircles(const std::vector<Circle>& circles, const Rigid2& T_map_lidar, const RayFan& fan,
@@ -59,13 +44,17 @@ RaysOnCircles castOnCircles(const std::vector<Circle>& circles, const Rigid2& T_
     }
     const SeenCircle seen{distance, std::atan2(centre.y(), centre.x()), circles[k].radius};
     const double half_width = seen.distance > seen.radius ? std::asin(seen.radius / seen.distance) : M_PI;
-    visitRays(fan, background.size(), seen.bearing, half_width, [&](std::size_t i) {
-      const double entry = entryInto(seen, fan.angle_min + static_cast<double>(i) * fan.angle_increment);
-      if (entry < nearest.distances[i]) {
-        nearest.distances[i] = entry;
-        nearest.circles[i] = k;
-      }
-    });
+    visitBeamsNear(fan.angle_min, fan.angle_increment, background.size(), seen.bearing, half_width, 0.0,
+                   [&](const BeamRange& rays) {
+                     for (std::size_t i = rays.begin; i < rays.end; ++i) {
+                       const double entry =
+                           entryInto(seen, fan.angle_min + static_cast<double>(i) * fan.angle_increment);
+                       if (entry < nearest.distances[i]) {
+                         nearest.distances[i] = entry;
+                         nearest.circles[i] = k;
+                       }
+                     }
+                   });
   }
   return nearest;
 }

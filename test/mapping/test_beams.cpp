@@ -90,6 +90,11 @@ TEST(PlanarScan, ThatIsNotValidNamesTheFieldAndItsValue) {
   EXPECT_EQ(messageFor({0.0, 0.1, 0.0, 1.0, {1.0F}}), "no error");
   EXPECT_NE(messageFor({nan, 0.1, 0.0, 1.0, {1.0F}}).find("angle_min is nan"), std::string::npos);
   EXPECT_NE(messageFor({0.0, 0.0, 0.0, 1.0, {1.0F}}).find("angle_increment is 0"), std::string::npos);
+  EXPECT_NE(messageFor({1e30, 0.1, 0.0, 1.0, {1.0F}}).find("angle_min is 1e+30"), std::string::npos);
+  for (const double increment : {nan, 1e8, -1e8, 1e-9, 1e-310}) {
+    EXPECT_NE(messageFor({0.0, increment, 0.0, 1.0, {1.0F}}).find("angle_increment is "), std::string::npos);
+  }
+  EXPECT_NE(messageFor({0.0, 0.1, 0.0, 1e30, {1.0F}}).find("range_max is 1e+30"), std::string::npos);
   EXPECT_NE(messageFor({0.0, 0.1, -1.0, 1.0, {1.0F}}).find("range_min is -1"), std::string::npos);
   EXPECT_NE(messageFor({0.0, 0.1, 2.0, 1.0, {1.0F}}).find("range_max is 1"), std::string::npos);
   EXPECT_NE(messageFor({0.0, 0.1, 0.0, 1.0, {}}).find("0 ranges"), std::string::npos);

@@ -16,10 +16,12 @@
 #include "support/data_dir.hpp"
 #include "support/room.hpp"
 #include "support/temporary_dir.hpp"
+#include "support/thrown_text.hpp"
 
 namespace map_matcher {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 
 constexpr double kBegin = 1000.0;  // [s] stamp of the first message
@@ -224,6 +226,18 @@ TEST_F(BagMapping, OfAnUnknownTopicTellsWhatIsThere) {
 TEST_F(BagMapping, OfATopicOfAnotherTypeTellsWhichItIs) {
   request.scan_topic = "odom";
   EXPECT_THAT(errorOf({}), HasSubstr("'/odom' of bag '" + request.bag + "' is nav_msgs/Odometry, expected"));
+}
+
+TEST_F(BagMapping, OfATopicOfTwoTypesTellsBoth) {
+  writeBag(request.bag, {});
+  {
+    rosbag::Bag bag(request.bag, rosbag::bagmode::Append);
+    bag.write("/scan", ros::Time(kBegin), nav_msgs::Odometry());
+  }
+  request.scan_topic = "/scan";
+  EXPECT_THAT(test::thrownText<BagError>([this] { mapAgain(); }),
+              AllOf(HasSubstr("'/scan' of bag '" + request.bag + "'"), HasSubstr("sensor_msgs/LaserScan"),
+                    HasSubstr("nav_msgs/Odometry")));
 }
 
 TEST_F(BagMapping, OfABagWithoutTfTellsWhatIsThere) {

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "map_matcher/ros/bag_scrubbing.hpp"
+#include "support/bags.hpp"
 #include "support/data_dir.hpp"
 #include "support/temporary_dir.hpp"
 #include "support/thrown_text.hpp"
@@ -16,6 +17,7 @@
 namespace map_matcher {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 
 constexpr int kBeams = 360;
@@ -117,7 +119,7 @@ TEST_F(BagScrubbing, NamesATopicThatIsNotThereAndThoseThatAre) {
   request.options.detection_topics = {"dr_spaam_detections"};
 
   EXPECT_THAT(test::thrownText<BagError>([&] { scrubBag(request); }),
-              testing::AllOf(HasSubstr("has no topic 'dr_spaam_detections'"), HasSubstr("/detections (")));
+              AllOf(HasSubstr("has no topic 'dr_spaam_detections'"), HasSubstr("/detections (")));
 }
 
 TEST_F(BagScrubbing, RefusesDetectionsOfAnotherType) {
@@ -125,6 +127,21 @@ TEST_F(BagScrubbing, RefusesDetectionsOfAnotherType) {
 
   EXPECT_THAT(test::thrownText<BagError>([&] { scrubBag(request); }),
               HasSubstr("is std_msgs/String, expected geometry_msgs/PoseArray or map_matcher/PersonDetections"));
+}
+
+TEST_F(BagScrubbing, RefusesTopicsOfTwoTypes) {
+  request.scan_topic = "/scan";
+  test::appendToBag(request.bag, "/scan", std_msgs::String());
+  EXPECT_THAT(test::thrownText<BagError>([&] { scrubBag(request); }),
+              AllOf(HasSubstr("'/scan' of bag '" + request.bag + "'"), HasSubstr("sensor_msgs/LaserScan"),
+                    HasSubstr("std_msgs/String")));
+
+  request.scan_topic = "/other_scan";
+  test::appendToBag(request.bag, "/other_scan", sensor_msgs::LaserScan());
+  test::appendToBag(request.bag, "/detections", std_msgs::String());
+  EXPECT_THAT(test::thrownText<BagError>([&] { scrubBag(request); }),
+              AllOf(HasSubstr("'/detections' of bag '" + request.bag + "'"), HasSubstr("geometry_msgs/PoseArray"),
+                    HasSubstr("std_msgs/String")));
 }
 
 TEST_F(BagScrubbing, RefusesToOverwriteTheBagItReads) {

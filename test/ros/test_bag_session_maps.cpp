@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rosbag/bag.h>
+#include <std_msgs/String.h>
 #include <tf2_msgs/TFMessage.h>
 
 #include <string>
@@ -149,6 +150,16 @@ TEST_F(RecordedSessionMaps, ThatAreNotThereAreAnError) {
 TEST_F(RecordedSessionMaps, OfAnotherTypeAreAnError) {
   request.map_topic = "/scan";
   EXPECT_THAT(errorText(), HasSubstr("is sensor_msgs/LaserScan, expected nav_msgs/OccupancyGrid"));
+}
+
+TEST_F(RecordedSessionMaps, AmongMessagesOfAnotherTypeAreAnError) {
+  recordMaps();
+  rosbag::Bag bag(request.bag, rosbag::bagmode::Append);
+  bag.write("/map", ros::Time(1004.0), std_msgs::String());
+  bag.close();
+
+  EXPECT_THAT(errorText(), AllOf(HasSubstr("'/map' of bag '" + request.bag + "'"), HasSubstr("nav_msgs/OccupancyGrid"),
+                                 HasSubstr("std_msgs/String")));
 }
 
 }  // namespace

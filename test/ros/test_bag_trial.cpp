@@ -113,6 +113,18 @@ TEST_F(RecordedTrial, RefusesDetectionsOfAnotherType) {
                     HasSubstr("is std_msgs/String, expected geometry_msgs/PoseArray or map_matcher/PersonDetections")));
 }
 
+TEST_F(RecordedTrial, RefusesTopicsOfTwoTypes) {
+  request.scan_topic = "/scan";
+  request.detection_topics = {"dr_spaam_detections"};
+  for (const char* topic : {"/dr_spaam_detections", "/scan", "/ground_truth"}) {
+    writeDriveBag(smallDrive(), request.bag);
+    append(topic, std_msgs::String());
+
+    EXPECT_THAT(errorText(), AllOf(HasSubstr(std::string("'") + topic + "' of bag '" + request.bag + "'"),
+                                   HasSubstr("_msgs/"), HasSubstr("std_msgs/String")));
+  }
+}
+
 TEST_F(RecordedTrial, CountsDetectionsThatMakeNoSense) {
   append("/dr_spaam_detections", geometry_msgs::PoseArray());  // without a frame
   request.detection_topics = {"dr_spaam_detections"};

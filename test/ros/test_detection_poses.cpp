@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "map_matcher/ros/detection_poses.hpp"
+#include "map_matcher/ros/tf_transforms.hpp"
 
 namespace map_matcher {
 namespace {
@@ -38,7 +38,8 @@ class Poses : public testing::Test {
   const std::string laser = "laser";
   const std::string rear_laser = "rear_laser";
   tf2::BufferCore tf;
-  DetectionPoses poses{tf, "odom"};
+  TfTransforms transforms{tf};
+  DetectionPoses poses{transforms, "odom"};
 };
 
 TEST_F(Poses, TakeOutTheMotionOfTheRobot) {
@@ -101,11 +102,33 @@ TEST_F(Poses, DoWithoutAFixedFrame) {
   drive(milliseconds(1000), milliseconds(2000));
 
   const DetectionPose pose =
-      DetectionPoses(tf, "").lookUp({rear_laser, milliseconds(1200)}, {laser, milliseconds(1400)});
+      DetectionPoses(transforms, "").lookUp({rear_laser, milliseconds(1200)}, {laser, milliseconds(1400)});
 
   EXPECT_EQ(pose.path, PosePath::kSensorFrame);
   ASSERT_TRUE(pose.T_scan_set);
   EXPECT_NEAR(pose.T_scan_set->translation().x(), -0.4, 1e-9);
+}
+
+TEST_F(Poses, TakeTheRobotToStandStillAtStampsThatNoClockCanShow) {
+  drive(milliseconds(1000), milliseconds(2000));
+  const Stamp impossible = std::chrono::hours(24 * 365 * 200);
+
+  const DetectionPose pose = poses.lookUp({laser, impossible}, {laser, impossible});
+
+  EXPECT_EQ(pose.path, PosePath::kSensorFrame);
+}
+
+TEST_F(Poses, AtAnInstantAreNoOlderThanAsked) {
+  drive(milliseconds(1000), milliseconds(2000));
+
+  const auto now = poseAt(transforms, "odom", {laser, milliseconds(1700)}, kMaxTransformAge);
+  ASSERT_TRUE(now);
+  EXPECT_NEAR(now->translation().x(), 1.9, 1e-9);
+  const auto a_little_later = poseAt(transforms, "odom", {laser, milliseconds(2200)}, kMaxTransformAge);
+  ASSERT_TRUE(a_little_later);
+  EXPECT_NEAR(a_little_later->translation().x(), 2.2, 1e-9);
+  EXPECT_FALSE(poseAt(transforms, "odom", {laser, milliseconds(2201)}, kMaxTransformAge));
+  EXPECT_FALSE(poseAt(transforms, "odom", {laser, milliseconds(900)}, kMaxTransformAge));
 }
 
 }  // namespace

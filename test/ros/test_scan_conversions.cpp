@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <tf2/LinearMath/Quaternion.h>
 
+#include <boost/make_shared.hpp>
 #include <cmath>
 #include <limits>
 
@@ -57,6 +58,56 @@ TEST(ScanConversions, CheckThatAnglesAndRangesAgree) {
   message = scanMessage();
   message.angle_min = std::numeric_limits<float>::quiet_NaN();
   EXPECT_THROW(checkLayout(message), MessageError);
+}
+
+sensor_msgs::LaserScanConstPtr sharedScan() {
+  const auto message = boost::make_shared<sensor_msgs::LaserScan>(scanMessage());
+  message->header.frame_id = "/laser";
+  message->header.stamp = ros::Time(10, 5);
+  message->header.seq = 7;
+  message->intensities = {0.5F, 0.5F, 0.5F};
+  return message;
+}
+
+TEST(ScanConversions, HandTheRangesOfAMessageToTheScrubberWithoutACopy) {
+  RawScan raw;
+  const float* ranges = nullptr;
+  {
+    const auto message = sharedScan();
+    raw = rawScanOf(message);
+    ranges = message->ranges.data();
+  }
+
+  EXPECT_EQ(raw.frame, "laser");
+  EXPECT_EQ(raw.stamp, std::chrono::seconds(10) + Stamp(5));
+  EXPECT_EQ(raw.ranges->data(), ranges);
+  EXPECT_EQ((*raw.ranges)[2], 3.0F);
+}
+
+TEST(ScanConversions, HandOnTheVeryMessageOfAScanFromWhichNothingIsRemoved) {
+  const auto message = sharedScan();
+
+  EXPECT_EQ(scrubbedMessage(message, {message->ranges, {}, 0, 3}), message);
+}
+
+TEST(ScanConversions, ChangeNothingButTheRangesOfAScrubbedScan) {
+  const auto message = sharedScan();
+
+  const auto scrubbed = scrubbedMessage(message, {{1.0F, 9.0F, 3.0F}, {1}, 1, 3});
+
+  EXPECT_EQ(message->ranges, scanMessage().ranges);  // not mutated
+  EXPECT_EQ(scrubbed->ranges, (std::vector<float>{1.0F, 9.0F, 3.0F}));
+  sensor_msgs::LaserScan restored = *scrubbed;
+  restored.ranges = message->ranges;
+  EXPECT_EQ(restored, *message);
+}
+
+TEST(ScanConversions, RefuseAScanWhoseIncrementIsAbsurdThoughItsAnglesAgree) {
+  auto message = boost::make_shared<sensor_msgs::LaserScan>(*sharedScan());
+  message->angle_increment = 1e8F;
+  message->angle_max = message->angle_min + 2e8F;
+
+  EXPECT_THROW(rawScanOf(message), MessageError);
 }
 
 TEST(ScanConversions, RefuseAScanThatIsNotValid) {

@@ -7,7 +7,7 @@ import geometry_msgs.msg
 import rospy
 import rostest
 import tf2_ros
-from diagnostic_msgs.msg import DiagnosticStatus
+from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
 from nav_msgs.msg import OccupancyGrid
 from sensor_msgs.msg import LaserScan, PointCloud2
 from visualization_msgs.msg import Marker
@@ -205,29 +205,93 @@ class LidarScrubber(unittest.TestCase):
         self.assertAlmostEqual(math.hypot(marker.points[0].x - RANGE, marker.points[0].y), 0.3, places=6)
 
     def test_detections_on_known_walls_are_false(self):
-        wall = OccupancyGrid()  # from (-1, -2.05) to (1, -1.95) m, on the robot's right
-        wall.header.frame_id = "map"
-        wall.info.resolution, wall.info.width, wall.info.height = 0.1, 20, 3
-        wall.info.origin.position.x, wall.info.origin.position.y = -1.0, -2.15
-        wall.info.origin.orientation.w = 1.0
-        wall.data = [0] * 20 + [100] * 20 + [0] * 20
-        reference = rospy.Publisher("reference_map", OccupancyGrid, queue_size=1, latch=True)
-        reference.publish(wall)
-        keep = broadcast_static("map", "odom", (0.0, 0.0, 0.0))
-        broadcaster = tf2_ros.TransformBroadcaster()
+        self.publish_reference(wall_on_the_right())
 
-        def sees_only_the_person():
-            stamp = self.next_stamp()
-            broadcaster.sendTransform(stamped_transform("odom", "laser", (0.0, 0.0, 0.0), stamp))
-            self.front.publish(pose_array(stamp, [(0.0, -RANGE), (-RANGE, 0.0)]))
-            LidarScrubber.stamp += rospy.Duration(0.5)  # no detection of this round applies in the next
-            self.scrubbed.clear()
-            outs = [self.pass_through(scan_message(stamp + rospy.Duration(0.001 * k))) for k in range(50)]
-            return removed_beams(outs[-1]) == beams_near(math.pi)
+        wait_until(lambda: self.removed_beside_the_wall(True) == beams_near(math.pi), "veto of the detection on the wall")
 
-        wait_until(sees_only_the_person, "veto of the detection on the wall")
-        reference.unregister()
-        del keep
+    def test_detections_on_walls_count_again_once_the_robot_is_not_localized(self):
+        self.publish_reference(wall_on_the_right())
+        wait_until(lambda: self.removed_beside_the_wall(True) == beams_near(math.pi), "veto of the detection on the wall")
+
+        both = sorted(beams_near(math.pi) + beams_near(-math.pi / 2))
+        self.assertEqual(self.removed_beside_the_wall(False), both)  # half a second after the last alignment
+        wait_for_diagnostic("lidar_scrubber: wall veto", lambda s: s.level == DiagnosticStatus.WARN)
+
+    def test_a_reference_map_that_cannot_be_used_changes_nothing(self):
+        self.publish_reference(wall_on_the_right())
+        wait_until(lambda: self.removed_beside_the_wall(True) == beams_near(math.pi), "veto of the detection on the wall")
+        broken = wall_on_the_right()
+        broken.header.frame_id, broken.info.resolution = "elsewhere", 0.0
+        self.publish_reference(broken)
+        wait_for_diagnostic("lidar_scrubber: wall veto",
+                            lambda s: any(v.key == "dropped maps" and int(v.value) > 0 for v in s.values))
+
+        wait_until(lambda: self.removed_beside_the_wall(True) == beams_near(math.pi), "veto by the first map")
+
+    def publish_reference(self, grid):
+        self.broadcaster = tf2_ros.TransformBroadcaster()
+        self.reference = rospy.Publisher("reference_map", OccupancyGrid, queue_size=1, latch=True)
+        self.addCleanup(self.reference.unregister)
+        self.reference.publish(grid)
+
+    def removed_beside_the_wall(self, localized):
+        """The beams removed from a scan with a detection on the wall and one of a person behind the robot."""
+        LidarScrubber.stamp += rospy.Duration(0.6)  # no detection of the last round applies in this one
+        stamp = LidarScrubber.stamp
+        transforms = [stamped_transform("odom", "laser", (0.0, 0.0, 0.0), stamp)]
+        if localized:
+            transforms.append(stamped_transform("map", "odom", (0.0, 0.0, 0.0), stamp))
+        self.broadcaster.sendTransform(transforms)
+        self.front.publish(pose_array(stamp, [(0.0, -RANGE), (-RANGE, 0.0)]))
+        self.scrubbed.clear()
+        outs = [self.pass_through(scan_message(stamp + rospy.Duration(0.001 * k))) for k in range(50)]
+        return removed_beams(outs[-1])
+
+    def test_a_scan_with_an_absurd_layout_delays_nothing(self):
+        self.front.publish(pose_array(self.next_stamp(), [(RANGE, 0.0)]))
+        absurd = scan_message(LidarScrubber.stamp)
+        absurd.angle_increment = 1e8
+        absurd.angle_max = absurd.angle_min + 1e8 * (BEAMS - 1)
+        for _ in range(10):
+            self.scan.publish(absurd)
+
+        self.pass_through(scan_message(self.next_stamp()))
+
+        wait_for_diagnostic("lidar_scrubber: scans",
+                            lambda s: any(v.key == "last problem" and "angle_increment" in v.value for v in s.values))
+
+    def test_stamps_that_no_clock_can_show_end_nothing(self):
+        stamp = rospy.Time()
+        stamp.secs = stamp.nsecs = 2**32 - 1
+        for _ in range(10):
+            self.scan.publish(scan_message(stamp))
+            self.front.publish(pose_array(stamp, [(RANGE, 0.0)]))
+
+        self.pass_through(scan_message(self.next_stamp()))
+
+    def test_frames_that_tf_does_not_connect_are_told_even_while_nobody_is_there(self):
+        diagnostics = Listener("/diagnostics", DiagnosticArray)
+
+        def told():
+            self.front.publish(pose_array(self.next_stamp(), [], "unheard_of"))
+            self.scan.publish(scan_message(LidarScrubber.stamp))
+            return any(status.name == "lidar_scrubber: detections front_detections" and
+                       status.level == DiagnosticStatus.ERROR and "unheard_of" in status.message
+                       for message in diagnostics.messages for status in message.status)
+
+        wait_until(told, "an error about the frame")
+        wait_for_diagnostic("lidar_scrubber: scrubbing", lambda s: s.level == DiagnosticStatus.ERROR)
+
+
+def wall_on_the_right():
+    """A map with a wall from (-1, -2.05) to (1, -1.95) m."""
+    grid = OccupancyGrid()
+    grid.header.frame_id = "map"
+    grid.info.resolution, grid.info.width, grid.info.height = 0.1, 20, 3
+    grid.info.origin.position.x, grid.info.origin.position.y = -1.0, -2.15
+    grid.info.origin.orientation.w = 1.0
+    grid.data = [0] * 20 + [100] * 20 + [0] * 20
+    return grid
 
 
 if __name__ == "__main__":

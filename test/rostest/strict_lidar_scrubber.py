@@ -6,6 +6,7 @@ import unittest
 import geometry_msgs.msg
 import rospy
 import rostest
+from diagnostic_msgs.msg import DiagnosticArray
 from sensor_msgs.msg import LaserScan
 
 from node_fixture import Listener, wait_until
@@ -62,6 +63,31 @@ class StrictLidarScrubber(unittest.TestCase):
             return self.scrubbed.messages
 
         wait_until(served, "scans once the detector is heard again")
+
+    def test_scans_are_dropped_while_all_detections_come_too_late(self):
+        diagnostics = Listener("/diagnostics", DiagnosticArray)
+
+        def withheld():
+            return max([int(pair.value) for message in diagnostics.messages for status in message.status
+                        for pair in status.values
+                        if status.name == "strict/lidar_scrubber: scans" and pair.key == "withheld"], default=0)
+
+        def publish(delay):
+            now = rospy.Time.now()
+            self.scan.publish(scan_message(now))
+            self.front.publish(pose_array(now - rospy.Duration(delay), []))
+
+        wait_until(lambda: publish(0.0) or (diagnostics.messages and self.scrubbed.messages), "scans in time")
+        before = withheld()
+        wait_until(lambda: publish(2.0) or withheld() > before + 20, "scans withheld")
+        self.scrubbed.clear()
+        end = rospy.Time.now() + rospy.Duration(0.5)
+        while rospy.Time.now() < end:
+            publish(2.0)
+            rospy.sleep(0.02)
+        self.assertEqual(self.scrubbed.messages, [])
+
+        wait_until(lambda: publish(0.0) or self.scrubbed.messages, "scans once detections come in time again")
 
 
 if __name__ == "__main__":

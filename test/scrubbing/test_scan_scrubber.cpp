@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <random>
+#include <stdexcept>
 
 #include "map_matcher/scrubbing/scan_scrubber.hpp"
 
@@ -137,6 +139,63 @@ TEST_P(AnyScan, LosesNothingMoreWhenScrubbedAgain) {
 
   EXPECT_THAT(scrubber.beamsInside(layout, ranges, discs), IsEmpty());
 }
+
+/// Numbers that a broken driver may write into a field of a scan, and some that are right.
+const double kAbsurd[] = {std::numeric_limits<double>::quiet_NaN(),
+                          HUGE_VAL,
+                          -HUGE_VAL,
+                          0.0,
+                          1e-310,
+                          -1e-310,
+                          1e-30,
+                          1e8,
+                          -1e8,
+                          1e30,
+                          -1e30,
+                          3e38,
+                          M_PI,
+                          -M_PI,
+                          0.01,
+                          -0.01,
+                          1e-6,
+                          20.0};
+
+/// Scans whose every field is absurd or not, from a seed.
+class AbsurdScan : public AnyScan {
+ protected:
+  AbsurdScan() {
+    for (double* field : {&layout.angle_min, &layout.angle_increment, &layout.range_min, &layout.range_max}) {
+      if (random() % 3 == 0) {
+        *field = kAbsurd[random() % std::size(kAbsurd)];
+      }
+    }
+    const std::size_t numbers_of_beams[] = {0, 1, ranges.size(), 100000};
+    ranges.resize(numbers_of_beams[random() % 4], 2.0F);
+    for (std::size_t i = 0; i < ranges.size(); i += 1 + random() % 50) {
+      ranges[i] = static_cast<float>(kAbsurd[random() % std::size(kAbsurd)]);
+    }
+    discs.push_back({{kAbsurd[random() % std::size(kAbsurd)], 1.0}, 0.3});
+  }
+
+  bool isValid() const {
+    try {
+      layout.validate();
+      return true;
+    } catch (const std::invalid_argument&) {
+      return false;
+    }
+  }
+};
+
+TEST_P(AbsurdScan, LosesExactlyThePointsInTheDiscsWhenItIsValidAndEndsWhenItIsNot) {
+  const std::vector<std::uint32_t> beams = scrubber.beamsInside(layout, ranges, discs);
+
+  if (isValid()) {
+    EXPECT_EQ(beams, everyPointAgainstEveryDisc(layout, ranges, discs));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, AbsurdScan, testing::Range(1000U, 1300U));
 
 INSTANTIATE_TEST_SUITE_P(Seeds, AnyScan, testing::Range(0U, 300U));
 

@@ -10,8 +10,7 @@
 
 #include "map_matcher/evaluation/session_matching.hpp"
 #include "map_matcher/mapping/session_mapper.hpp"
-#include "map_matcher/scrubbing/detection_cache.hpp"
-#include "map_matcher/scrubbing/scan_scrubber.hpp"
+#include "map_matcher/scrubbing/people_removal.hpp"
 #include "map_matcher/scrubbing/scrubbing_options.hpp"
 
 namespace map_matcher {
@@ -61,6 +60,8 @@ class Trial {
   /// `reference` is what session maps are matched to. Throws std::invalid_argument that names every option out of
   /// range.
   Trial(const OccupancyGrid& reference, const TrialOptions& options);
+  Trial(const Trial&) = delete;
+  Trial& operator=(const Trial&) = delete;
 
   /// Detections, in the order of their arrival; they apply to steps from then on. Those that a step is to wait for come
   /// before it.
@@ -90,18 +91,16 @@ class Trial {
   void takePending(double time);
   bool map(const TrialStep& step, const std::vector<MountedScan>& scans);
   std::vector<MountedScan> scansFor(const TrialStep& step);
-  PlanarScan scrubbed(const MountedScan& scan, const TrialStep& step);
-  std::optional<Eigen::Isometry3d> poseOf(const DetectionSet& set, const MountedScan& scan,
-                                          const TrialStep& step) const;
+  PlanarScan scrubbed(std::size_t laser, const PlanarScan& scan, double time);
+  DetectionPose poseOf(const FrameAt& set, const FrameAt& scan) const;
   void match(const TrialStep& step);
 
   TrialOptions options_;
   SessionMapper mapper_;
   SessionMatching matching_;
-  DetectionCache cache_;
-  ScanScrubber scrubber_;
+  std::vector<PeopleRemoval> removals_;   // of each laser, all of which take the detections of all
   std::vector<TrialDetections> pending_;  // not there yet
-  std::vector<PastPose> past_;            // of the last moments, for detections of earlier scans
+  std::vector<PastPose> past_;            // of the last moments, the present one last
   std::vector<LaserMount> mounts_;        // of each laser
   OnMoment on_moment_;                    // null when nobody asked
   int session_ = -1;

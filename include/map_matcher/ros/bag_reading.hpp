@@ -2,6 +2,8 @@
 /// Opening bags and finding one's way in them.
 #pragma once
 
+#include <ros/exception.h>
+#include <ros/message_traits.h>
 #include <rosbag/bag.h>
 #include <rosbag/message_instance.h>
 #include <rosbag/view.h>
@@ -12,8 +14,6 @@
 #include <string>
 #include <vector>
 
-#include "map_matcher/scrubbing/detections.hpp"
-
 namespace map_matcher {
 
 /// A bag that cannot be used; the message names the bag, what is wrong and what is there instead.
@@ -22,7 +22,7 @@ class BagError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Topics of a bag with their types.
+/// Topics of a bag with their types; a topic of several types has all of them in one text, "a and b".
 using BagTopics = std::map<std::string, std::string>;
 
 /// Opens a bag for reading. Throws BagError, with what can be done about it, for a file that cannot be read, is no bag,
@@ -53,9 +53,21 @@ std::string chooseScanTopic(const std::string& bag, const BagTopics& topics, con
 std::vector<std::string> chooseDetectionTopics(const std::string& bag, const BagTopics& topics,
                                                const std::vector<std::string>& asked);
 
-/// The people of a message on a topic of chooseDetectionTopics(); their source is the topic. Throws MessageError when
-/// the message has no frame.
-DetectionSet readDetections(const rosbag::MessageInstance& message);
+/// The content of a message. Throws BagError, naming the bag, the topic and both types, for a message of another type,
+/// and for one that is damaged.
+template <typename Message>
+boost::shared_ptr<const Message> readMessage(const std::string& bag, const rosbag::MessageInstance& message) {
+  const std::string where = "topic '" + message.getTopic() + "' of bag '" + bag + "' holds ";
+  try {
+    if (boost::shared_ptr<const Message> content = message.instantiate<Message>()) {
+      return content;
+    }
+  } catch (const ros::Exception& error) {
+    throw BagError(where + "a damaged " + message.getDataType() + ": " + error.what());
+  }
+  throw BagError(where + "a " + message.getDataType() + " that is not the " +
+                 ros::message_traits::DataType<Message>::value() + " that was expected");
+}
 
 /// Throws BagError, naming the bag and what it has, unless there is /tf with the transforms from `odom_frame` on.
 void requireTransforms(const std::string& bag, const BagTopics& topics, const std::string& odom_frame);

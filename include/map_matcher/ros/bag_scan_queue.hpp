@@ -3,15 +3,19 @@
 #pragma once
 
 #include <ros/time.h>
+#include <rosbag/bag.h>
+#include <rosbag/message_instance.h>
 #include <sensor_msgs/LaserScan.h>
 
 #include <deque>
 #include <functional>
 #include <string>
 
+#include "map_matcher/ros/bag_transforms.hpp"
+
 namespace map_matcher {
 
-/// Hands scans on in the order in which they were recorded, as soon as they can be used.
+/// Hands the scans of a bag on in the order in which they were recorded, as soon as their transforms are there.
 class BagScanQueue {
  public:
   static constexpr double kPatience = 1.0;  ///< [s] How much later than a scan its transforms may be recorded.
@@ -20,20 +24,21 @@ class BagScanQueue {
   /// scan that cannot be used at all.
   using Use = std::function<void(const sensor_msgs::LaserScan&)>;
 
-  explicit BagScanQueue(Use use) : use_(std::move(use)) {}
+  /// `path` names the bag, all of whose static transforms are taken at once.
+  BagScanQueue(const rosbag::Bag& bag, const std::string& path, Use use);
 
-  /// `recorded`: when the bag got it.
-  void add(const sensor_msgs::LaserScanConstPtr& scan, const ros::Time& recorded) {
-    waiting_.push_back({scan, recorded});
-  }
+  /// Takes the message when it is one of /tf, and hands on the scans that can be used now that the bag has been read
+  /// up to it; those that have waited longer than kPatience are given up. To be called with every message of interest,
+  /// after addScan().
+  void read(const rosbag::MessageInstance& message);
 
-  /// Hands on the scans that can be used when the bag has been read up to `now`, and gives up those that have waited
-  /// longer than kPatience.
-  void release(const ros::Time& now) { releaseBefore(now - ros::Duration(kPatience)); }
+  /// Adds the scan of a message. Throws BagError, naming the bag, the topic and both types, for another type.
+  void addScan(const rosbag::MessageInstance& message);
 
-  /// At the end of the bag: all that can be used; the others are given up.
-  void releaseAll() { releaseBefore(ros::TIME_MAX); }
+  /// At the end of the bag: hands on all that can be used; the others are given up.
+  void finish() { releaseBefore(ros::TIME_MAX); }
 
+  const tf2::BufferCore& tf() const { return tf_.buffer(); }        ///< The transforms of the last moments.
   int withoutTransforms() const { return without_transforms_; }     ///< Scans given up for want of transforms.
   int refused() const { return refused_; }                          ///< Scans that could not be used at all.
   const std::string& lastProblem() const { return last_problem_; }  ///< Of the latest such scan; empty: none.
@@ -46,7 +51,9 @@ class BagScanQueue {
 
   void releaseBefore(const ros::Time& deadline);
 
+  std::string path_;
   Use use_;
+  BagTransforms tf_;
   std::deque<Waiting> waiting_;
   int without_transforms_ = 0;
   int refused_ = 0;

@@ -7,7 +7,7 @@
 
 #include "map_matcher/ros/bag_reading.hpp"
 #include "map_matcher/ros/lidar_scrubber_server_options.hpp"
-#include "map_matcher/ros/people_removal.hpp"
+#include "map_matcher/scrubbing/people_removal.hpp"
 
 namespace map_matcher {
 

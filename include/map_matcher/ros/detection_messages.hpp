@@ -6,6 +6,7 @@
 #include <map_matcher/PersonDetections.h>
 #include <ros/time.h>
 
+#include <optional>
 #include <string>
 
 #include "map_matcher/scrubbing/detections.hpp"
@@ -14,6 +15,9 @@ namespace map_matcher {
 
 /// The stamp of a message, exactly.
 Stamp stampOf(const ros::Time& time);
+
+/// The time of a stamp; nothing for one that ros::Time cannot show: before the epoch or after the year 2106.
+std::optional<ros::Time> rosTimeOf(Stamp stamp);
 
 /// The people of DR-SPAAM's message, all with score 1; of the poses only the positions are read, since DR-SPAAM leaves
 /// the quaternions zero. `source` is the name of the detector. Throws MessageError when there is no frame.

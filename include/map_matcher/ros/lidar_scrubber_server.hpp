@@ -8,24 +8,27 @@
 #include <tf2_ros/transform_listener.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "map_matcher/ros/callback_guard.hpp"
 #include "map_matcher/ros/detection_subscriber.hpp"
-#include "map_matcher/ros/detector_watch.hpp"
 #include "map_matcher/ros/lidar_scrubber_server_options.hpp"
-#include "map_matcher/ros/people_removal.hpp"
 #include "map_matcher/ros/reference_veto.hpp"
 #include "map_matcher/ros/removal_display.hpp"
 #include "map_matcher/ros/scrubber_diagnostics.hpp"
-#include "map_matcher/ros/waiting_scans.hpp"
+#include "map_matcher/ros/tf_transforms.hpp"
+#include "map_matcher/scrubbing/detector_watch.hpp"
+#include "map_matcher/scrubbing/people_removal.hpp"
 
 namespace map_matcher {
 
 /// Removes the points near people from scans (report section 2.2): in `scan` (sensor_msgs/LaserScan) and the detection
 /// topics; out `scan_scrubbed` (sensor_msgs/LaserScan), for people who look on `removed_points` and `removal_circles`,
 /// and /diagnostics. A scan from which nothing is removed goes out as the very message that came in; of another, all
-/// but the ranges of the removed beams is the same. All callbacks run on the one thread of the node handle's queue.
+/// but the ranges of the removed beams is the same. All callbacks run on the one thread of the node handle's queue, and
+/// none lets an exception out: a scan that cannot be scrubbed passes as it is, or is dropped with on_silence: drop.
 class LidarScrubberServer {
  public:
   /// Throws std::invalid_argument, with the name and value of the option, when options contradict each other.
@@ -36,21 +39,28 @@ class LidarScrubberServer {
   void onScan(const sensor_msgs::LaserScanConstPtr& scan);
   void onDetections(DetectionSet set);
   void onBadDetections(const std::string& topic, const std::string& reason);
-  void releaseWaiting();
 
-  bool isUsable(const sensor_msgs::LaserScan& scan, const ros::Time& now);
-  bool isWithheld(const ros::Time& now);
-  bool isFromTheFuture(DetectorRecord& record, const DetectionSet& set, const ros::Time& now);
-  void scrub(const sensor_msgs::LaserScanConstPtr& scan);
-  void tellOfPaths(const PeopleRemoval::PathCounts& before) const;
+  void takeScan(const sensor_msgs::LaserScanConstPtr& scan);
+  std::optional<RawScan> usable(const sensor_msgs::LaserScanConstPtr& scan, Stamp now);
+  void takeDetections(DetectionSet set);
+  bool isFromTheFuture(DetectorRecord& record, const DetectionSet& set, Stamp now);
+
+  void handOn(const sensor_msgs::LaserScanConstPtr& scan, const ScrubbedScan& scrubbed);
+  bool isWithheld(const ScrubbedScan& scrubbed, Stamp now);
+  void handOnAsItIs(const sensor_msgs::LaserScanConstPtr& scan);
+  void withhold(const std::string& reason);
+  void tellOf(const sensor_msgs::LaserScanConstPtr& scan, const ScrubbedScan& scrubbed);
+  void tellOfPaths();
 
   const LidarScrubberServerOptions options_;
-  WaitingScans waiting_scans_;
+  CallbackGuard guard_;
   DetectorWatch detectors_;
   ScanRecord record_;
 
   tf2_ros::Buffer tf_;
   tf2_ros::TransformListener tf_listener_;
+  TfTransforms transforms_;
+  DetectionPoses poses_;
   PeopleRemoval removal_;
   ReferenceVeto veto_;
   RemovalDisplay display_;

@@ -20,6 +20,8 @@ struct LidarScrubberServerOptions {
   std::string on_silence = "pass";   ///< What becomes of scans then: pass | drop.
   double wall_veto_distance = 0.0;   ///< [m] Detections so near to walls of the reference map are false; 0: none.
   ScrubbingOptions scrubbing;
+
+  bool waits() const { return mode == "synchronised"; }  ///< Whether scans wait for their detections.
 };
 
 /// The parameters that fill `options`, by the names they have in config/lidar_scrubber.yaml.

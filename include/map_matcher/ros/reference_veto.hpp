@@ -1,37 +1,49 @@
 /// \file
-/// Takes out detections on walls of the reference map, once the robot knows where it is.
+/// Finds detections on walls of the reference map, once the robot knows where it is.
 #pragma once
 
 #include <nav_msgs/OccupancyGrid.h>
 #include <ros/node_handle.h>
-#include <tf2/buffer_core.h>
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
 #include "map_matcher/grid/near_walls.hpp"
-#include "map_matcher/scrubbing/detections.hpp"
+#include "map_matcher/scrubbing/detection_poses.hpp"
 
 namespace map_matcher {
 
 /// Listens to `reference_map` (nav_msgs/OccupancyGrid, latched).
 class ReferenceVeto {
  public:
-  /// `distance` [m] from a wall within which nobody stands; 0: nothing is taken out, nothing is subscribed. `tf` must
-  /// outlive this.
-  ReferenceVeto(ros::NodeHandle node, const tf2::BufferCore& tf, double distance);
+  /// `distance` [m] from a wall within which nobody stands; 0: nothing is false, nothing is subscribed. `transforms`
+  /// must outlive this.
+  ReferenceVeto(ros::NodeHandle node, const FrameTransforms& transforms, double distance);
 
-  /// Takes the detections on walls out of the set and returns how many those were; 0 as long as there is no map, or tf
-  /// does not know where the detector is in it.
-  int apply(DetectionSet& set) const;
+  /// Finds the detections on walls of a detector's frame at a stamp. Nothing as long as there is no map, or the
+  /// transforms do not tell where the detector was in it then: one that ended up to kMaxTransformAge before is taken,
+  /// for tf comes a little later than detections; an older one may be of an alignment that was taken back. The veto
+  /// holds as long as this.
+  Veto at(const FrameAt& detector) const;
+
+  bool isAskedFor() const { return distance_ > 0.0; }  ///< Whether there is a distance.
+  bool hasMap() const { return reference_.has_value(); }
+  std::int64_t droppedMaps() const { return dropped_maps_; }  ///< Maps that could not be used.
 
  private:
+  /// A reference map.
+  struct Reference {
+    std::string frame;
+    NearWalls near_walls;
+  };
+
   void onMap(const nav_msgs::OccupancyGrid& message);
 
-  const tf2::BufferCore& tf_;
+  const FrameTransforms& transforms_;
   double distance_;
-  std::string reference_frame_;
-  std::optional<NearWalls> near_walls_;
+  std::optional<Reference> reference_;
+  std::int64_t dropped_maps_ = 0;
   ros::Subscriber subscriber_;
 };
 

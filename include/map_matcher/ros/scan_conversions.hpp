@@ -8,6 +8,7 @@
 #include <string>
 
 #include "map_matcher/scan/planar_scan.hpp"
+#include "map_matcher/scrubbing/scrubbed_scan.hpp"
 
 namespace map_matcher {
 
@@ -17,6 +18,14 @@ ScanLayout layoutOf(const sensor_msgs::LaserScan& message);
 /// Throws MessageError, naming the field, its value and what was expected, unless the message has ranges, a valid
 /// layout, and an angle_max that agrees with angle_min, angle_increment and the number of ranges to within two beams.
 void checkLayout(const sensor_msgs::LaserScan& message);
+
+/// The scan of a message as the scrubber takes it; the ranges are those of the message, which they keep alive. Throws
+/// MessageError as checkLayout(), and when there is no frame.
+RawScan rawScanOf(const sensor_msgs::LaserScanConstPtr& message);
+
+/// The message with other ranges. It is the very message that was given when nothing was removed.
+sensor_msgs::LaserScanConstPtr scrubbedMessage(const sensor_msgs::LaserScanConstPtr& message,
+                                               const RangeRemoval& removal);
 
 /// The scan of a message. Throws MessageError that names the field, its value and what was expected.
 PlanarScan fromMessage(const sensor_msgs::LaserScan& message);

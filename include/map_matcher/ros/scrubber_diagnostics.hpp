@@ -2,44 +2,65 @@
 /// The lidar_scrubber's health on /diagnostics.
 #pragma once
 
-#include <diagnostic_updater/diagnostic_updater.h>
 #include <ros/node_handle.h>
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 
-#include "map_matcher/ros/detector_watch.hpp"
-#include "map_matcher/ros/people_removal.hpp"
+#include "map_matcher/ros/callback_guard.hpp"
+#include "map_matcher/ros/diagnostic_report.hpp"
+#include "map_matcher/ros/reference_veto.hpp"
+#include "map_matcher/scrubbing/detector_watch.hpp"
+#include "map_matcher/scrubbing/people_removal.hpp"
 
 namespace map_matcher {
 
-/// What happened to the scans.
+/// What happened to the scans and detections.
 struct ScanRecord {
-  ros::Time last_scan;             ///< Arrival of the last scan; zero: none yet.
+  Stamp last_scan{0};              ///< Arrival of the last scan, by ROS's clock; zero: none yet.
   std::int64_t scans = 0;          ///< Scans that came.
   std::int64_t dropped = 0;        ///< Scans that made no sense.
-  std::int64_t withheld = 0;       ///< Scans dropped since a detector was silent (on_silence: drop).
+  std::int64_t withheld = 0;       ///< Scans dropped since people might be in them (on_silence: drop).
   std::int64_t too_much = 0;       ///< Scans passed as they were since too much would have been removed.
   std::int64_t timed_out = 0;      ///< Scans that waited in vain for their detections (mode: synchronised).
   std::int64_t removed_beams = 0;  ///< Beams removed from all scans.
   std::size_t last_removed = 0;    ///< Beams removed from the last scan.
   std::string last_problem;        ///< Why the last dropped scan was.
+  std::int64_t with_veto = 0;      ///< Messages of detections that were compared with the walls of the reference map.
+  std::int64_t without_veto = 0;   ///< Those that could not be.
+  std::int64_t failures = 0;       ///< Callbacks that failed.
   /// Sets of detections that were used, or could not be (kNone), by the way they came into the scan's frame.
   PeopleRemoval::PathCounts paths{};
 };
 
-/// Once a second, by the wall clock, tells of scans, of what was removed, and of each detector.
+/// What ScrubberDiagnostics looks at; all of it must outlive that.
+struct ScrubberState {
+  const ScanRecord& scans;
+  const DetectorWatch& detectors;
+  const PeopleRemoval& removal;
+  const ReferenceVeto& veto;
+  const CallbackGuard& guard;
+};
+
+/// Once a second, by the wall clock, tells of scans, of what was removed, of the wall veto and of each detector.
+/// Nothing is told to be well that is not at work: without scans, without a detector that serves, or without the
+/// transforms between them, also while nobody is there to be removed.
 class ScrubberDiagnostics {
  public:
-  /// The records must outlive this.
-  ScrubberDiagnostics(const ros::NodeHandle& node, const ros::NodeHandle& private_node, const ScanRecord& scans,
-                      const DetectorWatch& detectors);
+  ScrubberDiagnostics(const ros::NodeHandle& node, const ros::NodeHandle& private_node, const ScrubberState& state);
 
  private:
-  void reportScans(diagnostic_updater::DiagnosticStatusWrapper& status);
-  void reportScrubbing(diagnostic_updater::DiagnosticStatusWrapper& status);
-  void reportDetector(const std::string& topic, diagnostic_updater::DiagnosticStatusWrapper& status);
+  using Status = diagnostic_updater::DiagnosticStatusWrapper;
+
+  void reportScans(Status& status);
+  void reportScrubbing(Status& status);
+  void summarizeScrubbing(Status& status) const;
+  void reportVeto(Status& status) const;
+  void reportDetector(const std::string& topic, Status& status);
+  void summarizeDetector(const DetectorRecord& record, Status& status) const;
+  std::optional<PosePath> pathOf(const DetectorRecord& record) const;
 
   /// Something counted since the last report.
   struct Rate {
@@ -49,13 +70,12 @@ class ScrubberDiagnostics {
     double update(std::int64_t new_count);
   };
 
-  const ScanRecord& scans_;
-  const DetectorWatch& detectors_;
-  ScanRecord last_scans_;  // at the last report
+  const ScrubberState state_;
+  ScanRecord now_;   // of this report
+  ScanRecord last_;  // of the last report
   Rate scan_rate_;
   std::map<std::string, Rate> detector_rates_;
-  diagnostic_updater::Updater updater_;
-  ros::WallTimer timer_;
+  DiagnosticReport report_;
 };
 
 }  // namespace map_matcher

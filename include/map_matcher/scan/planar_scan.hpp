@@ -11,13 +11,12 @@ namespace map_matcher {
 /// Where the beams of a scan point and how far they reach, as sensor_msgs/LaserScan has it. Beam i points along
 /// angle_min + i * angle_increment in the laser frame, counter-clockwise about the laser's z axis.
 struct ScanLayout {
-  double angle_min = 0.0;        ///< Direction of the first beam [rad].
-  double angle_increment = 0.0;  ///< Between beams [rad]; negative for a laser that turns clockwise, never 0.
+  double angle_min = 0.0;        ///< Direction of the first beam [rad], -1000 to 1000.
+  double angle_increment = 0.0;  ///< Between beams [rad], 1e-6 to a turn; negative for a laser that turns clockwise.
   double range_min = 0.0;        ///< Shortest range the laser measures [m], at least 0.
-  double range_max = 0.0;        ///< Longest range the laser measures [m], above range_min.
+  double range_max = 0.0;        ///< Longest range the laser measures [m], above range_min, up to 1e6.
 
-  /// Throws std::invalid_argument, with the name and value of the offending field, unless angles and limits are finite
-  /// and in order.
+  /// Throws std::invalid_argument, with the name and value of the offending field, unless all are in their ranges.
   void validate() const;
 };
 

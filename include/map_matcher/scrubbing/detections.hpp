@@ -4,6 +4,9 @@
 
 #include <Eigen/Core>
 #include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -14,6 +17,9 @@ using Stamp = std::chrono::nanoseconds;
 
 /// Seconds as a number.
 inline double seconds(Stamp duration) { return std::chrono::duration<double>(duration).count(); }
+
+/// The nearest stamp to a number of seconds, which is to be finite and of less than 292 years.
+inline Stamp fromSeconds(double seconds) { return Stamp(static_cast<std::int64_t>(std::llround(seconds * 1e9))); }
 
 /// A person that was detected.
 struct Detection {
@@ -46,5 +52,11 @@ struct LeftOut {
 
 /// Takes out of the set what the limits do not let through. A score of exactly score_threshold counts.
 LeftOut applyLimits(DetectionSet& set, const DetectionLimits& limits);
+
+/// Whether a detection of a set is false, as when it lies on a wall.
+using Veto = std::function<bool(const Detection&)>;
+
+/// Takes the false detections out of the set and returns how many those were; none without a veto.
+int applyVeto(DetectionSet& set, const Veto& veto);
 
 }  // namespace map_matcher

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "map_matcher/scan/beams_near.hpp"
 #include "map_matcher/scan/planar_scan.hpp"
 
 namespace map_matcher {
@@ -38,7 +39,7 @@ class ScanScrubber {
   void prepareDirections(const ScanLayout& layout, std::size_t num_beams);
   void placePoints(const std::vector<float>& ranges);
   void markInside(const Disc& disc);
-  void markRange(const Disc& disc, double first_beam, double last_beam);
+  void markRange(const Disc& disc, const BeamRange& beams);
 
   ScanLayout layout_;
   std::vector<double> cosines_;  // of the beams' directions
