@@ -19,9 +19,10 @@
 namespace map_matcher {
 namespace {
 
-void registerGrowth(const std::string& what, double x, const OccupancyGrid& building, const SimulatedSession& wanted) {
+void registerGrowth(const std::string& what, double x, const grid::OccupancyGrid& building,
+                    const SimulatedSession& wanted) {
   const auto pair = std::make_shared<const MapPair>(MapPair{what, building, simulateSession(building, wanted)});
-  MatchOptions options;
+  search::MatchOptions options;
   options.threads = 1;
   options.exact_deadline = 60.0;
   const std::string name = "BM_Growth/" + what + "/" + std::to_string(std::lround(x));
@@ -33,24 +34,24 @@ void registerGrowth(const std::string& what, double x, const OccupancyGrid& buil
 
 void registerAll() {
   for (const auto& [length, width] : {std::pair(40.0, 15.0), {80.0, 15.0}, {160.0, 15.0}, {160.0, 30.0}}) {
-    OfficeBuildingOptions plan;
+    simulation::OfficeBuildingOptions plan;
     plan.length = length;
     plan.width = width;
     SimulatedSession wanted;
     wanted.num_cells = 4000;
-    registerGrowth("area", length * width, officeBuilding(plan), wanted);
+    registerGrowth("area", length * width, simulation::officeBuilding(plan), wanted);
   }
   for (const std::size_t cells : {1000, 2000, 4000, 8000, 13000}) {
     SimulatedSession wanted;
     wanted.num_cells = cells;
-    registerGrowth("session", static_cast<double>(cells), officeBuilding({}), wanted);
+    registerGrowth("session", static_cast<double>(cells), simulation::officeBuilding({}), wanted);
   }
   for (const double resolution : {0.1, 0.05, 0.03, 0.02}) {
-    OfficeBuildingOptions plan;
+    simulation::OfficeBuildingOptions plan;
     plan.resolution = resolution;
     SimulatedSession wanted;
     wanted.length = 15.0;
-    registerGrowth("resolution", 1e3 * resolution, officeBuilding(plan), wanted);
+    registerGrowth("resolution", 1e3 * resolution, simulation::officeBuilding(plan), wanted);
   }
 }
 

@@ -11,13 +11,13 @@
 
 namespace {
 
-using map_matcher::Disc;
-using map_matcher::ScanLayout;
+using map_matcher::scan::ScanLayout;
+using map_matcher::scrubbing::Disc;
 
 constexpr double kRangeMax = 20.0;  // [m]
 
 /// A field of view of 270 degrees, as the SICK TiM571's.
-ScanLayout layoutOf(int beams) { return {-0.75 * M_PI, 1.5 * M_PI / (beams - 1), 0.05, kRangeMax}; }
+scan::ScanLayout layoutOf(int beams) { return {-0.75 * M_PI, 1.5 * M_PI / (beams - 1), 0.05, kRangeMax}; }
 
 std::vector<float> randomRanges(int beams, std::mt19937& random) {
   std::uniform_real_distribution<float> range(0.5F, 12.0F);
@@ -29,10 +29,10 @@ std::vector<float> randomRanges(int beams, std::mt19937& random) {
 }
 
 /// People in a crowd: within a few metres of the robot, some so near that half of the scan is theirs.
-std::vector<Disc> crowd(int people, std::mt19937& random) {
+std::vector<scrubbing::Disc> crowd(int people, std::mt19937& random) {
   std::uniform_real_distribution<double> distance(0.35, 8.0);
   std::uniform_real_distribution<double> direction(-M_PI, M_PI);
-  std::vector<Disc> discs;
+  std::vector<scrubbing::Disc> discs;
   for (int i = 0; i < people; ++i) {
     const double r = distance(random);
     const double angle = direction(random);
@@ -44,10 +44,10 @@ std::vector<Disc> crowd(int people, std::mt19937& random) {
 void BM_BeamsInside(benchmark::State& state) {
   std::mt19937 random;
   const auto beams = static_cast<int>(state.range(0));
-  const ScanLayout layout = layoutOf(beams);
+  const scan::ScanLayout layout = layoutOf(beams);
   const std::vector<float> ranges = randomRanges(beams, random);
-  const std::vector<Disc> discs = crowd(static_cast<int>(state.range(1)), random);
-  map_matcher::ScanScrubber scrubber;
+  const std::vector<scrubbing::Disc> discs = crowd(static_cast<int>(state.range(1)), random);
+  map_matcher::scrubbing::ScanScrubber scrubber;
   for (auto _ : state) {
     benchmark::DoNotOptimize(scrubber.beamsInside(layout, ranges, discs).data());
   }

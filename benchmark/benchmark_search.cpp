@@ -22,7 +22,7 @@
 #include <vector>
 
 #include "map_matcher/grid/map_file.hpp"
-#include "map_matcher/search/score_kernel.hpp"
+#include "map_matcher/search/counting/score_kernel.hpp"
 #include "map_matcher/search/search_reference.hpp"
 #include "map_matcher/simulation/office_building.hpp"
 #include "map_pairs.hpp"
@@ -34,7 +34,7 @@ namespace fs = std::filesystem;
 
 /// The session map of a drive through a generated office, drawn until it has `num_cells` walls.
 MapPair syntheticOffice(std::size_t num_cells) {
-  const OccupancyGrid building = officeBuilding({});
+  const grid::OccupancyGrid building = simulation::officeBuilding({});
   SimulatedSession wanted;
   wanted.num_cells = num_cells;
   return {"synthetic_office", building, simulateSession(building, wanted)};
@@ -42,40 +42,40 @@ MapPair syntheticOffice(std::size_t num_cells) {
 
 void buildReference(benchmark::State& state, const std::shared_ptr<const MapPair>& pair) {
   for (auto _ : state) {
-    const SearchReference reference(pair->reference, pair->reference.resolution(), {});
+    const search::SearchReference reference(pair->reference, pair->reference.resolution(), {});
     benchmark::DoNotOptimize(reference.fine().bytes());
   }
-  const SearchReference reference(pair->reference, pair->reference.resolution(), {});
+  const search::SearchReference reference(pair->reference, pair->reference.resolution(), {});
   state.counters["two_stages_megabytes"] =
       1e-6 * static_cast<double>(reference.fine().bytes() + reference.coarse().bytes());
   state.counters["exact_megabytes"] = 1e-6 * static_cast<double>(reference.exact().bytes() + reference.walls().bytes());
 }
 
 void scoreTile(benchmark::State& state) {
-  const auto variant = static_cast<KernelVariant>(state.range(0));
-  const std::vector<KernelVariant> available = availableKernelVariants();
+  const auto variant = static_cast<search::KernelVariant>(state.range(0));
+  const std::vector<search::KernelVariant> available = search::availableKernelVariants();
   if (std::find(available.begin(), available.end(), variant) == available.end()) {
     state.SkipWithError("this processor cannot run the variant");
     return;
   }
   std::mt19937 random(1);
-  std::vector<Cell> walls(8000);
-  for (Cell& wall : walls) {
+  std::vector<grid::Cell> walls(8000);
+  for (grid::Cell& wall : walls) {
     wall = {static_cast<int>(random() % 350), static_cast<int>(random() % 160)};
   }
-  const PrecomputedGrids grids(350, 160, walls, 4);
-  RotatedCells cells;
+  const search::PrecomputedGrids grids(350, 160, walls, 4);
+  search::RotatedCells cells;
   for (int k = 0; k < 1000; ++k) {
     cells.x.push_back(static_cast<std::int16_t>(static_cast<int>(random() % 150) - 75));
     cells.y.push_back(static_cast<std::int16_t>(static_cast<int>(random() % 150) - 75));
   }
-  const ScoreKernel kernel(variant);
-  std::vector<TileScore> scores;
+  const search::ScoreKernel kernel(variant);
+  std::vector<search::TileScore> scores;
   for (auto _ : state) {
     kernel.scoreTile(grids.level(static_cast<int>(state.range(1))), cells, {100, 60}, {}, 900, scores);
     benchmark::DoNotOptimize(scores.data());
   }
-  state.SetItemsProcessed(state.iterations() * 1000 * kTileColumns * kTileRows);
+  state.SetItemsProcessed(state.iterations() * 1000 * search::kTileColumns * search::kTileRows);
 }
 BENCHMARK(scoreTile)->Name("BM_ScoreTile")->ArgsProduct({{0, 1, 2}, {0, 2, 4}})->ArgNames({"variant", "level"});
 
@@ -88,7 +88,7 @@ fs::path referenceOf(const fs::path& recorded) {
 using SharedPair = std::shared_ptr<const MapPair>;
 
 void registerTwoStages(const SharedPair& pair) {
-  MatchOptions options;
+  search::MatchOptions options;
   options.search = "two_stage";
   options.threads = 1;
   const auto match = [pair, options](benchmark::State& state) { matchPair(state, pair, options); };
@@ -97,7 +97,7 @@ void registerTwoStages(const SharedPair& pair) {
 
 void registerCertified(const SharedPair& pair) {
   for (const int threads : {1, 2}) {
-    MatchOptions options;
+    search::MatchOptions options;
     options.threads = threads;
     options.exact_deadline = 60.0;
     const auto match = [pair, options](benchmark::State& state) { matchPair(state, pair, options); };
@@ -122,13 +122,13 @@ void registerAll(const std::string& reference_name, MapPair pair) {
 
 /// Drives through maps at hand, and a session map in a map that it does not belong to.
 void registerOtherMaps(const fs::path& data) {
-  const OccupancyGrid willow = loadMap((data / "maps/willow-full-0.05.yaml").string());
+  const grid::OccupancyGrid willow = grid::loadMap((data / "maps/willow-full-0.05.yaml").string());
   registerAll("willow", {"willow", willow, simulateSession(willow, {3, 15.0})});
-  const OccupancyGrid campus = loadMap((data / "maps/freiburg-campus.yaml").string());
+  const grid::OccupancyGrid campus = grid::loadMap((data / "maps/freiburg-campus.yaml").string());
   registerAll("campus", {"campus", campus, simulateSession(campus, {3, 30.0, 1000000, 30.0})});
-  registerCertified(
-      std::make_shared<const MapPair>(MapPair{"stranger_in_intel", loadMap((data / "maps/intel.yaml").string()),
-                                              loadMap((data / "sessions/freiburg-101-4m/07/session.yaml").string())}));
+  registerCertified(std::make_shared<const MapPair>(
+      MapPair{"stranger_in_intel", grid::loadMap((data / "maps/intel.yaml").string()),
+              grid::loadMap((data / "sessions/freiburg-101-4m/07/session.yaml").string())}));
 }
 
 void registerRecordedSessions(const fs::path& data) {
@@ -142,8 +142,8 @@ void registerRecordedSessions(const fs::path& data) {
     std::sort(recorded.begin(), recorded.end());
     for (const fs::path& path : recorded) {
       const auto pair = std::make_shared<const MapPair>(MapPair{set + "/" + path.filename().string(),
-                                                                loadMap(referenceOf(path).string()),
-                                                                loadMap((path / "session.yaml").string())});
+                                                                grid::loadMap(referenceOf(path).string()),
+                                                                grid::loadMap((path / "session.yaml").string())});
       if (path == recorded.front()) {
         registerReference(set, pair);
       }

@@ -19,8 +19,8 @@ namespace map_matcher {
 /// A reference map and a session map of a part of it.
 struct MapPair {
   std::string name;
-  OccupancyGrid reference;
-  OccupancyGrid session;
+  grid::OccupancyGrid reference;
+  grid::OccupancyGrid session;
 };
 
 /// Length and range of a drive.
@@ -32,30 +32,31 @@ struct SimulatedSession {
 };
 
 /// The session map of a drive through a map.
-inline OccupancyGrid simulateSession(const OccupancyGrid& map, const SimulatedSession& wanted) {
-  DriveOptions drive_options;
+inline grid::OccupancyGrid simulateSession(const grid::OccupancyGrid& map, const SimulatedSession& wanted) {
+  simulation::DriveOptions drive_options;
   drive_options.seed = wanted.seed;
   drive_options.lidar.sigma = 0.03;
-  const Drive drive = simulateDrive(map, drive_options);
-  SessionMapperOptions mapper_options;
+  const simulation::Drive drive = simulation::simulateDrive(map, drive_options);
+  mapping::SessionMapperOptions mapper_options;
   mapper_options.delta = map.resolution();
   mapper_options.max_range = wanted.max_range;
-  SessionMapper mapper(mapper_options);
+  mapping::SessionMapper mapper(mapper_options);
   double length = 0.0;
   Eigen::Vector2d last = drive.steps.front().T_map_base.translation();
-  for (const DriveStep& step : drive.steps) {
+  for (const simulation::DriveStep& step : drive.steps) {
     length += (step.T_map_base.translation() - last).norm();
     last = step.T_map_base.translation();
-    const ScanReport report = mapper.addScan(step.T_odom_base, step.scans.front(), {drive.T_base_lidar.front(), false});
-    const bool drawn = report.outcome == ScanOutcome::kDrawn;
-    if (length > wanted.length || (drawn && occupiedCells(*mapper.map()).size() >= wanted.num_cells)) {
+    const mapping::ScanReport report =
+        mapper.addScan(step.T_odom_base, step.scans.front(), {drive.T_base_lidar.front(), false});
+    const bool drawn = report.outcome == mapping::ScanOutcome::kDrawn;
+    if (length > wanted.length || (drawn && grid::occupiedCells(*mapper.map()).size() >= wanted.num_cells)) {
       break;
     }
   }
   return *mapper.map();
 }
 
-inline void addStage(benchmark::State& state, const StageReport& stage) {
+inline void addStage(benchmark::State& state, const search::StageReport& stage) {
   state.counters[stage.name + "_init_ms"] += 1e3 * stage.initialization_time;
   state.counters[stage.name + "_rotations_ms"] += 1e3 * stage.rotation_expansion_time;
   state.counters[stage.name + "_dfs_ms"] += 1e3 * stage.depth_first_search_time;
@@ -63,13 +64,13 @@ inline void addStage(benchmark::State& state, const StageReport& stage) {
 
 /// Times the match of a pair, split by stage.
 inline void matchPair(benchmark::State& state, const std::shared_ptr<const MapPair>& pair,
-                      const MatchOptions& options) {
-  MapMatcher matcher(options);
+                      const search::MatchOptions& options) {
+  search::MapMatcher matcher(options);
   matcher.setReference(pair->reference);
-  MatchResult result;
+  search::MatchResult result;
   for (auto _ : state) {
     result = matcher.match(pair->session);
-    for (const StageReport& stage : result.stages) {
+    for (const search::StageReport& stage : result.stages) {
       addStage(state, stage);
     }
   }

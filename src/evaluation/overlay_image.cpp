@@ -13,7 +13,7 @@
 #include "map_matcher/grid/occupied_cells.hpp"
 #include "map_matcher/search/matched_cells.hpp"
 
-namespace map_matcher {
+namespace map_matcher::evaluation {
 namespace {
 
 constexpr double kMargin = 1.0;                  // around walls and cells [m]
@@ -33,8 +33,9 @@ struct View {
 using Points = std::vector<Eigen::Vector2d>;
 
 /// Points of the session map frame in cells of the reference grid.
-Points toReferenceCells(const OccupancyGrid& reference, const Rigid2& T_reference_session, const Points& points) {
-  const Rigid2 T_grid_session = reference.geometry().T_map_grid.inverse() * T_reference_session;
+Points toReferenceCells(const grid::OccupancyGrid& reference, const grid::Rigid2& T_reference_session,
+                        const Points& points) {
+  const grid::Rigid2 T_grid_session = reference.geometry().T_map_grid.inverse() * T_reference_session;
   Points cells;
   for (const Eigen::Vector2d& p : points) {
     cells.emplace_back(T_grid_session * p / reference.resolution());
@@ -42,9 +43,10 @@ Points toReferenceCells(const OccupancyGrid& reference, const Rigid2& T_referenc
   return cells;
 }
 
-View chooseView(const OccupancyGrid& reference, const std::vector<Points>& overlays, std::int8_t occupied_threshold) {
+View chooseView(const grid::OccupancyGrid& reference, const std::vector<Points>& overlays,
+                std::int8_t occupied_threshold) {
   std::vector<cv::Point> shown;
-  for (const Cell& wall : occupiedCells(reference, occupied_threshold)) {
+  for (const grid::Cell& wall : grid::occupiedCells(reference, occupied_threshold)) {
     shown.emplace_back(wall.x, wall.y);
   }
   for (const Points& overlay : overlays) {
@@ -59,14 +61,14 @@ View chooseView(const OccupancyGrid& reference, const std::vector<Points>& overl
   return {box, std::max(1, (kWantedPixels + longer - 1) / longer)};
 }
 
-cv::Vec3b colourOf(const OccupancyGrid& reference, int x, int y, std::int8_t occupied_threshold) {
-  if (!reference.geometry().contains({x, y}) || reference.at(x, y) == kUnknown) {
+cv::Vec3b colourOf(const grid::OccupancyGrid& reference, int x, int y, std::int8_t occupied_threshold) {
+  if (!reference.geometry().contains({x, y}) || reference.at(x, y) == grid::kUnknown) {
     return kUnknownColour;
   }
   return reference.at(x, y) >= occupied_threshold ? kWallColour : kFreeColour;
 }
 
-cv::Mat drawReference(const OccupancyGrid& reference, const View& view, std::int8_t occupied_threshold) {
+cv::Mat drawReference(const grid::OccupancyGrid& reference, const View& view, std::int8_t occupied_threshold) {
   cv::Mat image(view.cells.height, view.cells.width, CV_8UC3);
   for (int row = 0; row < image.rows; ++row) {
     for (int column = 0; column < image.cols; ++column) {
@@ -91,12 +93,14 @@ void drawCells(cv::Mat& image, const Points& cells, const View& view, const cv::
 
 }  // namespace
 
-void writeOverlayImage(const std::string& path, const OccupancyGrid& reference, const OccupancyGrid& session,
-                       const std::optional<Rigid2>& T_reference_session, std::int8_t occupied_threshold) {
+void writeOverlayImage(const std::string& path, const grid::OccupancyGrid& reference,
+                       const grid::OccupancyGrid& session, const std::optional<grid::Rigid2>& T_reference_session,
+                       std::int8_t occupied_threshold) {
   Points matched;
   Points unmatched;
   if (T_reference_session) {
-    const MatchedCells cells = splitByMatch(reference, session, *T_reference_session, occupied_threshold);
+    const search::MatchedCells cells =
+        search::splitByMatch(reference, session, *T_reference_session, occupied_threshold);
     matched = toReferenceCells(reference, *T_reference_session, cells.matched);
     unmatched = toReferenceCells(reference, *T_reference_session, cells.unmatched);
   }
@@ -114,7 +118,7 @@ void writeOverlayImage(const std::string& path, const OccupancyGrid& reference, 
   if (!is_encoded) {
     throw std::runtime_error("picture '" + path + "' cannot be written; expected a path ending in .png");
   }
-  writeFile(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  files::writeFile(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::evaluation

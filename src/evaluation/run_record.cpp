@@ -4,10 +4,10 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-namespace map_matcher {
+namespace map_matcher::evaluation {
 namespace {
 
-void writePose(std::ostream& out, const std::optional<Rigid2>& pose) {
+void writePose(std::ostream& out, const std::optional<grid::Rigid2>& pose) {
   if (pose) {
     out << ',' << pose->x << ',' << pose->y << ',' << pose->yaw;
   } else {
@@ -61,7 +61,7 @@ RunRecord::RunRecord(const std::string& csv_path) {
     file_->write(
         "time,truth_x,truth_y,truth_yaw,estimate_x,estimate_y,estimate_yaw,translation_error,rotation_error,"
         "session_x,session_y,session_yaw,ratio\n");
-  } catch (const OutputFileError& error) {
+  } catch (const files::OutputFileError& error) {
     throw RunRecordError(error.what());
   }
 }
@@ -73,7 +73,7 @@ void RunRecord::add(const RunRow& row) {
   }
   try {
     file_->write(lineOf(row));
-  } catch (const OutputFileError& error) {
+  } catch (const files::OutputFileError& error) {
     throw RunRecordError(error.what());
   }
 }
@@ -85,7 +85,7 @@ void RunRecord::complete() {
   try {
     file_->commit();
     file_.reset();
-  } catch (const OutputFileError& error) {
+  } catch (const files::OutputFileError& error) {
     throw RunRecordError(error.what());
   }
 }
@@ -102,10 +102,10 @@ std::string toJson(const TrajectoryError& error) {
 
 void writeSummary(const TrajectoryError& error, const std::string& path) {
   try {
-    writeFile(path, toJson(error) + '\n');
-  } catch (const OutputFileError& problem) {
+    files::writeFile(path, toJson(error) + '\n');
+  } catch (const files::OutputFileError& problem) {
     throw RunRecordError(problem.what());
   }
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::evaluation

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-namespace map_matcher {
+namespace map_matcher::evaluation {
 
-PoseError errorOf(const Rigid2& estimate, const Rigid2& truth) {
-  return {(estimate.translation() - truth.translation()).norm(), std::abs(normalizeAngle(estimate.yaw - truth.yaw))};
+PoseError errorOf(const grid::Rigid2& estimate, const grid::Rigid2& truth) {
+  return {(estimate.translation() - truth.translation()).norm(),
+          std::abs(grid::normalizeAngle(estimate.yaw - truth.yaw))};
 }
 
 std::optional<ErrorStatistics> statisticsOf(std::vector<double> errors) {
@@ -61,4 +62,4 @@ TrajectoryError evaluateTrajectory(const std::vector<PoseSample>& samples) {
   return result;
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::evaluation

@@ -16,7 +16,7 @@
 #include <tuple>
 #include <utility>
 
-namespace map_matcher {
+namespace map_matcher::files {
 namespace {
 
 namespace fs = std::filesystem;
@@ -211,4 +211,4 @@ bool isSameFile(const std::string& a, const std::string& b) {
   return absolutePath(a) == absolutePath(b);
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::files

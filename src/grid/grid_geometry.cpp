@@ -8,7 +8,7 @@
 
 #include "map_matcher/parameters/number_text.hpp"
 
-namespace map_matcher {
+namespace map_matcher::grid {
 
 Eigen::Vector2d GridGeometry::cellCentre(const Cell& cell) const {
   return T_map_grid * Eigen::Vector2d((cell.x + 0.5) * resolution, (cell.y + 0.5) * resolution);
@@ -21,7 +21,7 @@ Cell GridGeometry::cellAt(const Eigen::Vector2d& p_map) const {
 
 void GridGeometry::validate() const {
   if (!std::isfinite(resolution) || resolution <= 0.0) {
-    throw std::invalid_argument("resolution is " + numberText(resolution) +
+    throw std::invalid_argument("resolution is " + parameters::numberText(resolution) +
                                 ", expected a positive number of metres per cell");
   }
   if (width < 1 || height < 1) {
@@ -34,9 +34,10 @@ void GridGeometry::validate() const {
                                 " cells, expected at most " + std::to_string(kMostCells) + " in all");
   }
   if (!std::isfinite(T_map_grid.x) || !std::isfinite(T_map_grid.y) || !std::isfinite(T_map_grid.yaw)) {
-    throw std::invalid_argument("origin is (" + numberText(T_map_grid.x) + ", " + numberText(T_map_grid.y) + ", " +
-                                numberText(T_map_grid.yaw) + "), expected three finite numbers");
+    throw std::invalid_argument("origin is (" + parameters::numberText(T_map_grid.x) + ", " +
+                                parameters::numberText(T_map_grid.y) + ", " + parameters::numberText(T_map_grid.yaw) +
+                                "), expected three finite numbers");
   }
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::grid

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <string>
 
-namespace map_matcher {
+namespace map_matcher::grid {
 namespace {
 
 constexpr std::size_t kHeaderBytes = 4096;  // comments of a PGM file included
@@ -57,4 +57,4 @@ std::optional<ImageSize> imageSize(const std::filesystem::path& path) {
   return std::nullopt;
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::grid

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <optional>
 
-namespace map_matcher {
+namespace map_matcher::grid {
 
 /// Width and height [pixels].
 struct ImageSize {
@@ -17,4 +17,4 @@ struct ImageSize {
 /// The size that the header of a PGM, PPM, PNG or BMP file tells; nothing for other files.
 std::optional<ImageSize> imageSize(const std::filesystem::path& path);
 
-}  // namespace map_matcher
+}  // namespace map_matcher::grid

@@ -10,7 +10,7 @@
 #include "map_matcher/grid/map_limits.hpp"
 #include "map_matcher/parameters/number_text.hpp"
 
-namespace map_matcher {
+namespace map_matcher::grid {
 namespace {
 
 namespace fs = std::filesystem;
@@ -81,8 +81,8 @@ class DescriptionReader {
   }
 
   double readResolution() const {
-    const std::string expected = "a positive number of metres per cell, " + numberText(kMinMapResolution) + " to " +
-                                 numberText(kMaxMapResolution);
+    const std::string expected = "a positive number of metres per cell, " + parameters::numberText(kMinMapResolution) +
+                                 " to " + parameters::numberText(kMaxMapResolution);
     const auto value = get<double>("resolution", expected);
     if (!(value >= kMinMapResolution && value <= kMaxMapResolution)) {
       fail("resolution", text("resolution"), expected);
@@ -91,8 +91,8 @@ class DescriptionReader {
   }
 
   Rigid2 readOrigin() const {
-    const std::string expected =
-        "[x, y, yaw], three finite numbers in metres and radians, x and y within " + numberText(kMaxMapOrigin) + " m";
+    const std::string expected = "[x, y, yaw], three finite numbers in metres and radians, x and y within " +
+                                 parameters::numberText(kMaxMapOrigin) + " m";
     const auto values = get<std::vector<double>>("origin", expected);
     if (values.size() != 3 || !(std::abs(values[0]) <= kMaxMapOrigin) || !(std::abs(values[1]) <= kMaxMapOrigin) ||
         !std::isfinite(values[2])) {
@@ -158,12 +158,14 @@ MapDescription readDescription(const std::string& yaml_path) { return Descriptio
 std::string descriptionText(const GridGeometry& geometry, MapMode mode, const fs::path& image) {
   const Rigid2& origin = geometry.T_map_grid;
   std::ostringstream out;
-  out << "image: " << quoted(image.filename().string()) << "\nresolution: " << numberText(geometry.resolution)
-      << "\norigin: [" << numberText(origin.x) << ", " << numberText(origin.y) << ", " << numberText(origin.yaw)
-      << "]\nnegate: 0\noccupied_thresh: " << numberText(kSavedOccupiedThreshold)
-      << "\nfree_thresh: " << numberText(kSavedFreeThreshold)
+  out << "image: " << quoted(image.filename().string())
+      << "\nresolution: " << parameters::numberText(geometry.resolution) << "\norigin: ["
+      << parameters::numberText(origin.x) << ", " << parameters::numberText(origin.y) << ", "
+      << parameters::numberText(origin.yaw)
+      << "]\nnegate: 0\noccupied_thresh: " << parameters::numberText(kSavedOccupiedThreshold)
+      << "\nfree_thresh: " << parameters::numberText(kSavedFreeThreshold)
       << "\nmode: " << (mode == MapMode::kRaw ? "raw" : "trinary") << "\n";
   return out.str();
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::grid

@@ -7,7 +7,7 @@
 
 #include "map_matcher/grid/map_file.hpp"
 
-namespace map_matcher {
+namespace map_matcher::grid {
 
 /// What a map_server YAML file says.
 struct MapDescription {
@@ -25,4 +25,4 @@ MapDescription readDescription(const std::string& yaml_path);
 /// The YAML file for an image in the same directory.
 std::string descriptionText(const GridGeometry& geometry, MapMode mode, const std::filesystem::path& image);
 
-}  // namespace map_matcher
+}  // namespace map_matcher::grid

@@ -12,7 +12,7 @@
 #include "map_matcher/files/output_file.hpp"
 #include "map_matcher/grid/map_limits.hpp"
 
-namespace map_matcher {
+namespace map_matcher::grid {
 namespace {
 
 namespace fs = std::filesystem;
@@ -156,19 +156,19 @@ void saveMap(const OccupancyGrid& grid, const std::string& yaml_path, MapMode mo
     throw MapFileError("map file '" + yaml_path + "': mode scale cannot be written, expected trinary or raw");
   }
   const std::string image_path = imageWrittenWith(yaml_path);
-  if (isSameFile(image_path, yaml_path)) {
+  if (files::isSameFile(image_path, yaml_path)) {
     throw MapFileError("map file '" + yaml_path + "' has the name of its image, expected a name ending in .yaml");
   }
   try {
-    OutputFile image(image_path);
-    OutputFile description(yaml_path);
+    files::OutputFile image(image_path);
+    files::OutputFile description(yaml_path);
     image.write(imageBytes(grid, mode));
     description.write(descriptionText(grid.geometry(), mode, image_path));
     image.commit();
     description.commit();
-  } catch (const OutputFileError& error) {
+  } catch (const files::OutputFileError& error) {
     throw MapFileError(error.what());
   }
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::grid

@@ -7,7 +7,7 @@
 
 #include "map_matcher/grid/occupied_cells.hpp"
 
-namespace map_matcher {
+namespace map_matcher::grid {
 
 NearWalls::NearWalls(const OccupancyGrid& map, double distance, std::int8_t occupied_threshold)
     : geometry_(map.geometry()) {
@@ -39,4 +39,4 @@ bool NearWalls::isNearWall(const Eigen::Vector2d& p_map) const {
                     static_cast<std::size_t>(cell.x)] != 0;
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::grid

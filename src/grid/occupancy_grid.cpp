@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-namespace map_matcher {
+namespace map_matcher::grid {
 namespace {
 
 std::size_t numCells(const GridGeometry& geometry) {
@@ -33,4 +33,4 @@ OccupancyGrid::OccupancyGrid(const GridGeometry& geometry, std::vector<std::int8
   }
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::grid

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace map_matcher {
+namespace map_matcher::grid {
 namespace {
 
 /// Cells that are looked at together: most of a map is no wall.
@@ -44,4 +44,4 @@ std::vector<Cell> occupiedCells(const OccupancyGrid& grid, std::int8_t occupied_
   return cells;
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::grid

@@ -9,7 +9,7 @@
 
 #include "map_matcher/parameters/number_text.hpp"
 
-namespace map_matcher {
+namespace map_matcher::grid {
 namespace {
 
 /// Old cells [first, last) that a new cell overlaps along one axis.
@@ -24,8 +24,9 @@ constexpr double kEdgeTolerance = 1e-6;
 int newSize(int old_size, double ratio) {
   const double size = std::max(1.0, std::ceil(old_size / ratio - kEdgeTolerance));
   if (size > std::numeric_limits<int>::max()) {
-    throw std::invalid_argument("a resolution " + numberText(1.0 / ratio) + " times as fine makes " + numberText(size) +
-                                " cells a side, expected at most " + std::to_string(std::numeric_limits<int>::max()));
+    throw std::invalid_argument("a resolution " + parameters::numberText(1.0 / ratio) + " times as fine makes " +
+                                parameters::numberText(size) + " cells a side, expected at most " +
+                                std::to_string(std::numeric_limits<int>::max()));
   }
   return static_cast<int>(size);
 }
@@ -74,4 +75,4 @@ OccupancyGrid resample(const OccupancyGrid& grid, double resolution, const std::
   return result;
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::grid

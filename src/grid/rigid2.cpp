@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-namespace map_matcher {
+namespace map_matcher::grid {
 
 double normalizeAngle(double angle) {
   const double wrapped = std::remainder(angle, 2.0 * M_PI);  // in [-pi, pi]
@@ -26,4 +26,4 @@ Eigen::Vector2d operator*(const Rigid2& T_a_b, const Eigen::Vector2d& p_b) {
   return T_a_b.rotation() * p_b + T_a_b.translation();
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::grid

@@ -20,7 +20,7 @@
 #include "map_matcher/grid/resample.hpp"
 #include "map_matcher/parameters/option_check.hpp"
 
-namespace map_matcher {
+namespace map_matcher::localization {
 namespace {
 
 constexpr float kFreeProbability = 0.98F;  // that MRPT's cells are free
@@ -32,12 +32,14 @@ constexpr float kBinAngle = 0.17453293F;        // [rad] as amcl's
 constexpr double kLeastDeviation = 0.01;        // [m] of a motion, so that particles spread
 constexpr double kLeastTurnDeviation = 0.0035;  // [rad]
 
-bool isFinite(const Rigid2& pose) { return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.yaw); }
+bool isFinite(const grid::Rigid2& pose) {
+  return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.yaw);
+}
 
-mrpt::poses::CPose2D toMrpt(const Rigid2& pose) { return {pose.x, pose.y, pose.yaw}; }
+mrpt::poses::CPose2D toMrpt(const grid::Rigid2& pose) { return {pose.x, pose.y, pose.yaw}; }
 
 /// MRPT's map, whose frame is that of the grid, since it knows no origin with a yaw.
-std::shared_ptr<mrpt::maps::COccupancyGridMap2D> toMrpt(const OccupancyGrid& grid) {
+std::shared_ptr<mrpt::maps::COccupancyGridMap2D> toMrpt(const grid::OccupancyGrid& grid) {
   const auto resolution = static_cast<float>(grid.resolution());
   auto map = std::make_shared<mrpt::maps::COccupancyGridMap2D>();
   map->setSize(0.0F, resolution * static_cast<float>(grid.width()), 0.0F,
@@ -46,9 +48,9 @@ std::shared_ptr<mrpt::maps::COccupancyGridMap2D> toMrpt(const OccupancyGrid& gri
   for (int y = 0; y < grid.height(); ++y) {
     for (int x = 0; x < grid.width(); ++x) {
       const std::int8_t value = grid.at(x, y);
-      if (value >= kDefaultOccupiedThreshold) {
+      if (value >= grid::kDefaultOccupiedThreshold) {
         map->setCell(x, y, kOccupiedProbability);
-      } else if (value != kUnknown) {
+      } else if (value != grid::kUnknown) {
         map->setCell(x, y, kFreeProbability);
         has_free = true;
       }
@@ -114,8 +116,8 @@ mrpt::obs::CActionRobotMovement2D::TMotionModelOptions motionModelOf(const Monte
 }
 
 /// So many evenly spaced beams of a scan as amcl takes; nothing when none of them measured anything.
-mrpt::obs::CObservation2DRangeScan::Ptr observationOf(const MountedScan& mounted, int max_beams) {
-  const PlanarScan& scan = mounted.scan;
+mrpt::obs::CObservation2DRangeScan::Ptr observationOf(const scan::MountedScan& mounted, int max_beams) {
+  const scan::PlanarScan& scan = mounted.scan;
   scan.validate();
   const std::size_t step = std::max<std::size_t>(1, (scan.ranges.size() - 1) / static_cast<std::size_t>(max_beams - 1));
   const std::size_t count = (scan.ranges.size() - 1) / step + 1;
@@ -136,7 +138,7 @@ mrpt::obs::CObservation2DRangeScan::Ptr observationOf(const MountedScan& mounted
   // MRPT counts angles from the middle of the scan.
   const double turn = mounted.mount.upside_down ? -1.0 : 1.0;
   const double aperture = scan.angle_increment * static_cast<double>((count - 1) * step);
-  const Rigid2& T_base_laser = mounted.mount.T_base_laser;
+  const grid::Rigid2& T_base_laser = mounted.mount.T_base_laser;
   observation->aperture = static_cast<float>(std::abs(aperture));
   observation->rightToLeft = turn * scan.angle_increment > 0.0;
   observation->maxRange = static_cast<float>(scan.range_max);
@@ -149,11 +151,11 @@ mrpt::obs::CObservation2DRangeScan::Ptr observationOf(const MountedScan& mounted
 
 class MonteCarloLocalizer::Impl {
  public:
-  Impl(const OccupancyGrid& map, const MonteCarloOptions& options) : options_(options), seeds_(options.seed) {
-    throwIfAny(problemsWith(options));
+  Impl(const grid::OccupancyGrid& map, const MonteCarloOptions& options) : options_(options), seeds_(options.seed) {
+    parameters::throwIfAny(problemsWith(options));
     T_map_grid_ = map.geometry().T_map_grid;
     const bool is_fine = map.resolution() < options.map_resolution;
-    map_ = toMrpt(is_fine ? resample(map, options.map_resolution) : map);
+    map_ = toMrpt(is_fine ? grid::resample(map, options.map_resolution) : map);
     computeLikelihoods(options, *map_);
     filter_ = filterOf(options);
     particles_.options.metricMap = map_;
@@ -168,12 +170,12 @@ class MonteCarloLocalizer::Impl {
     summarize();
   }
 
-  bool add(const Rigid2& T_odom_base, const std::vector<MountedScan>& scans) {
+  bool add(const grid::Rigid2& T_odom_base, const std::vector<scan::MountedScan>& scans) {
     if (!isFinite(T_odom_base)) {
       throw std::invalid_argument("the odometry is not finite");
     }
     mrpt::obs::CSensoryFrame observations;
-    for (const MountedScan& scan : scans) {
+    for (const scan::MountedScan& scan : scans) {
       if (const auto observation = observationOf(scan, options_.laser_max_beams)) {
         observations.insert(observation);
       }
@@ -202,7 +204,7 @@ class MonteCarloLocalizer::Impl {
     if (!T_odom_weighed_) {
       return true;
     }
-    const Rigid2 motion = T_odom_weighed_->inverse() * T_odom_base_;
+    const grid::Rigid2 motion = T_odom_weighed_->inverse() * T_odom_base_;
     return motion.translation().norm() >= options_.update_min_d || std::abs(motion.yaw) >= options_.update_min_a;
   }
 
@@ -223,7 +225,7 @@ class MonteCarloLocalizer::Impl {
 
   void summarize() {
     const auto [covariance, mean] = particles_.getCovarianceAndMean();
-    weighed_.T_map_base = T_map_grid_ * Rigid2{mean.x(), mean.y(), mean.phi()};
+    weighed_.T_map_base = T_map_grid_ * grid::Rigid2{mean.x(), mean.y(), mean.phi()};
     weighed_.position_deviation = std::sqrt(covariance(0, 0) + covariance(1, 1));
     weighed_.yaw_deviation = std::sqrt(covariance(2, 2));
     weighed_.particles = static_cast<int>(particles_.m_particles.size());
@@ -231,25 +233,25 @@ class MonteCarloLocalizer::Impl {
 
   MonteCarloOptions options_;
   std::mt19937_64 seeds_;
-  Rigid2 T_map_grid_;
+  grid::Rigid2 T_map_grid_;
   std::shared_ptr<mrpt::maps::COccupancyGridMap2D> map_;
   mrpt::bayes::CParticleFilter filter_;
   mrpt::slam::CMonteCarloLocalization2D particles_;  // in the frame of the grid
-  Rigid2 T_odom_base_;                               // of the last scans
-  std::optional<Rigid2> T_odom_weighed_;             // of the last scans that were used; none: particles everywhere
+  grid::Rigid2 T_odom_base_;                         // of the last scans
+  std::optional<grid::Rigid2> T_odom_weighed_;       // of the last scans that were used; none: particles everywhere
   MonteCarloEstimate weighed_;                       // when the particles were last weighed
 };
 
-MonteCarloLocalizer::MonteCarloLocalizer(const OccupancyGrid& map, const MonteCarloOptions& options)
+MonteCarloLocalizer::MonteCarloLocalizer(const grid::OccupancyGrid& map, const MonteCarloOptions& options)
     : impl_(std::make_unique<Impl>(map, options)) {}
 MonteCarloLocalizer::~MonteCarloLocalizer() = default;
 
 void MonteCarloLocalizer::reset() { impl_->reset(); }
 
-bool MonteCarloLocalizer::add(const Rigid2& T_odom_base, const std::vector<MountedScan>& scans) {
+bool MonteCarloLocalizer::add(const grid::Rigid2& T_odom_base, const std::vector<scan::MountedScan>& scans) {
   return impl_->add(T_odom_base, scans);
 }
 
 MonteCarloEstimate MonteCarloLocalizer::estimate() const { return impl_->estimate(); }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::localization

@@ -4,9 +4,9 @@
 
 #include "map_matcher/parameters/option_check.hpp"
 
-namespace map_matcher {
+namespace map_matcher::localization {
 
-ParameterList parametersOf(MonteCarloOptions& options) {
+parameters::ParameterList parametersOf(MonteCarloOptions& options) {
   return {
       {"min_particles", "", "Particles of a filter that is certain.", &options.min_particles, 1, 1000000},
       {"max_particles", "", "Particles at the start, and at most.", &options.max_particles, 1, 1000000},
@@ -36,7 +36,7 @@ ParameterList parametersOf(MonteCarloOptions& options) {
 
 std::vector<std::string> problemsWith(const MonteCarloOptions& options) {
   MonteCarloOptions copy = options;
-  std::vector<std::string> problems = problemsOf(parametersOf(copy));
+  std::vector<std::string> problems = parameters::problemsOf(parametersOf(copy));
   if (options.min_particles > options.max_particles) {
     std::ostringstream text;
     text << "min_particles is " << options.min_particles
@@ -46,4 +46,4 @@ std::vector<std::string> problemsWith(const MonteCarloOptions& options) {
   return problems;
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::localization

@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-namespace map_matcher {
+namespace map_matcher::mapping {
 namespace {
 
 constexpr double kRangeMaxMargin = 0.01;  // [m] drivers report "nothing there" as range_max
 
 }  // namespace
 
-BeamFan castBeams(const PlanarScan& scan, const LaserMount& mount, const BeamLimits& limits) {
+BeamFan castBeams(const scan::PlanarScan& scan, const scan::LaserMount& mount, const BeamLimits& limits) {
   scan.validate();
   const double max_range = limits.max_range > 0.0 ? limits.max_range : scan.range_max - kRangeMaxMargin;
   const double max_urange = limits.max_urange > 0.0 ? std::min(limits.max_urange, max_range) : max_range;
@@ -33,7 +33,7 @@ BeamFan castBeams(const PlanarScan& scan, const LaserMount& mount, const BeamLim
   return fan;
 }
 
-BeamFan transform(const Rigid2& T_a_b, const BeamFan& fan) {
+BeamFan transform(const grid::Rigid2& T_a_b, const BeamFan& fan) {
   const Eigen::Matrix2d rotation = T_a_b.rotation();
   BeamFan moved{T_a_b * fan.origin, fan.beams};
   for (Beam& beam : moved.beams) {
@@ -46,4 +46,4 @@ int countHits(const BeamFan& fan) {
   return static_cast<int>(std::count_if(fan.beams.begin(), fan.beams.end(), [](const Beam& beam) { return beam.hit; }));
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::mapping

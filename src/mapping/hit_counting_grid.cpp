@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-namespace map_matcher {
+namespace map_matcher::mapping {
 namespace {
 
 constexpr int kGrowth = 32;          // [cells] the grid grows by multiples of this
@@ -80,8 +80,8 @@ bool HitCountingGrid::draw(const BeamFan& fan) {
   return true;
 }
 
-OccupancyGrid HitCountingGrid::toOccupancyGrid(double occupied_threshold) const {
-  GridGeometry geometry;
+grid::OccupancyGrid HitCountingGrid::toOccupancyGrid(double occupied_threshold) const {
+  grid::GridGeometry geometry;
   geometry.resolution = resolution_;
   geometry.width = width_;
   geometry.height = height_;
@@ -89,18 +89,18 @@ OccupancyGrid HitCountingGrid::toOccupancyGrid(double occupied_threshold) const 
   std::vector<std::int8_t> values(counts_.size());
   std::transform(counts_.begin(), counts_.end(), values.begin(), [occupied_threshold](const Counts& counts) {
     if (counts.visits == 0) {
-      return kUnknown;
+      return grid::kUnknown;
     }
-    return counts.hits > occupied_threshold * counts.visits ? kOccupied : kFree;
+    return counts.hits > occupied_threshold * counts.visits ? grid::kOccupied : grid::kFree;
   });
-  return OccupancyGrid(geometry, std::move(values));
+  return grid::OccupancyGrid(geometry, std::move(values));
 }
 
-Cell HitCountingGrid::latticeCell(const Eigen::Vector2d& point) const {
+grid::Cell HitCountingGrid::latticeCell(const Eigen::Vector2d& point) const {
   return {floorToCell(point.x(), resolution_), floorToCell(point.y(), resolution_)};
 }
 
-bool HitCountingGrid::growTo(const Cell& lower, const Cell& upper) {
+bool HitCountingGrid::growTo(const grid::Cell& lower, const grid::Cell& upper) {
   const std::int64_t left = growthFor(std::int64_t{first_.x} - lower.x);
   const std::int64_t down = growthFor(std::int64_t{first_.y} - lower.y);
   const std::int64_t right = growthFor(std::int64_t{upper.x} - first_.x - width_ + 1);
@@ -126,7 +126,7 @@ bool HitCountingGrid::growTo(const Cell& lower, const Cell& upper) {
 }
 
 void HitCountingGrid::drawBeam(const Eigen::Vector2d& origin, const Beam& beam) {
-  const auto visit = [this](const Cell& cell, bool hit) {
+  const auto visit = [this](const grid::Cell& cell, bool hit) {
     Counts& counts = at(cell);
     if (counts.visits == std::numeric_limits<std::uint16_t>::max()) {
       counts = {static_cast<std::uint16_t>(counts.hits / 2), static_cast<std::uint16_t>(counts.visits / 2)};
@@ -134,8 +134,8 @@ void HitCountingGrid::drawBeam(const Eigen::Vector2d& origin, const Beam& beam) 
     ++counts.visits;
     counts.hits = static_cast<std::uint16_t>(counts.hits + (hit ? 1 : 0));
   };
-  const Cell end = latticeCell(beam.end);
-  Cell cell = latticeCell(origin);
+  const grid::Cell end = latticeCell(beam.end);
+  grid::Cell cell = latticeCell(origin);
   AxisWalk walk_x(origin.x(), beam.end.x(), resolution_, cell.x);
   AxisWalk walk_y(origin.y(), beam.end.y(), resolution_, cell.y);
   // The number of lines to cross is known in integers, so rounding cannot lead past the last cell.
@@ -149,10 +149,10 @@ void HitCountingGrid::drawBeam(const Eigen::Vector2d& origin, const Beam& beam) 
   visit(end, beam.hit);
 }
 
-HitCountingGrid::Counts& HitCountingGrid::at(const Cell& lattice_cell) {
+HitCountingGrid::Counts& HitCountingGrid::at(const grid::Cell& lattice_cell) {
   const auto column = static_cast<std::size_t>(lattice_cell.x - first_.x);
   const auto row = static_cast<std::size_t>(lattice_cell.y - first_.y);
   return counts_[row * static_cast<std::size_t>(width_) + column];
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::mapping

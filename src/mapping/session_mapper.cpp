@@ -13,14 +13,16 @@
 #include "map_matcher/mapping/hit_counting_grid.hpp"
 #include "map_matcher/parameters/option_check.hpp"
 
-namespace map_matcher {
+namespace map_matcher::mapping {
 namespace {
 
 constexpr int kMinHits = 10;             // fewer points do not tell a pose
 constexpr double kPointSpacing = 0.03;   // [m] of the points that scans are matched to
 constexpr double kThresholdDecay = 0.8;  // of the correspondence distance, at each convergence
 
-bool isFinite(const Rigid2& pose) { return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.yaw); }
+bool isFinite(const grid::Rigid2& pose) {
+  return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.yaw);
+}
 
 mrpt::slam::CICP::TConfigParams icpParameters(const IcpOptions& options) {
   mrpt::slam::CICP::TConfigParams parameters;
@@ -36,10 +38,10 @@ mrpt::slam::CICP::TConfigParams icpParameters(const IcpOptions& options) {
 
 /// Where the robot was when something was last done, and whether it has moved since.
 struct Milestone {
-  Rigid2 pose;
+  grid::Rigid2 pose;
 
-  bool isPassed(const Rigid2& now, double linear, double angular) const {
-    const Rigid2 motion = pose.inverse() * now;
+  bool isPassed(const grid::Rigid2& now, double linear, double angular) const {
+    const grid::Rigid2 motion = pose.inverse() * now;
     return motion.translation().norm() >= linear || std::abs(motion.yaw) >= angular;
   }
 };
@@ -86,11 +88,11 @@ class ThinnedPoints {
 /// The points and the grid of a session. They begin with its first scan. The points lie in the start frame, the base
 /// frame of the first scan: MRPT keeps them in 32 bits, and odometry may be far from its origin.
 struct Session {
-  Session(const Rigid2& T_session_base, const SessionMapperOptions& options)
+  Session(const grid::Rigid2& T_session_base, const SessionMapperOptions& options)
       : T_session_start(T_session_base),
         grid(options.delta, {{options.xmin, options.ymin}, {options.xmax, options.ymax}}) {}
 
-  Rigid2 T_session_start;
+  grid::Rigid2 T_session_start;
   ThinnedPoints points;
   HitCountingGrid grid;
   Milestone last_match{T_session_start};
@@ -101,17 +103,19 @@ struct Session {
 
 class SessionMapper::Impl {
  public:
-  explicit Impl(const SessionMapperOptions& options) : options_(options) { throwIfAny(problemsWith(options)); }
+  explicit Impl(const SessionMapperOptions& options) : options_(options) {
+    parameters::throwIfAny(problemsWith(options));
+  }
 
   const SessionMapperOptions& options() const { return options_; }
-  const Rigid2& T_session_odom() const { return T_session_odom_; }
-  Rigid2 T_session_base() const { return T_session_odom_ * T_odom_base_; }
+  const grid::Rigid2& T_session_odom() const { return T_session_odom_; }
+  grid::Rigid2 T_session_base() const { return T_session_odom_ * T_odom_base_; }
   bool hasMap() const { return session_.has_value(); }
-  std::optional<OccupancyGrid> map() const {
+  std::optional<grid::OccupancyGrid> map() const {
     return session_ ? std::make_optional(session_->grid.toOccupancyGrid(options_.occ_thresh)) : std::nullopt;
   }
 
-  ScanReport addScan(const Rigid2& T_odom_base, const PlanarScan& scan, const LaserMount& mount) {
+  ScanReport addScan(const grid::Rigid2& T_odom_base, const scan::PlanarScan& scan, const scan::LaserMount& mount) {
     if (!isFinite(T_odom_base) || !isFinite(mount.T_base_laser)) {
       throw std::invalid_argument("the odometry or the mount of the laser is not finite");
     }
@@ -143,7 +147,7 @@ class SessionMapper::Impl {
   }
 
   bool hasMoved() const {
-    const Rigid2 pose = T_session_base();
+    const grid::Rigid2 pose = T_session_base();
     return session_->last_match.isPassed(pose, options_.icp.linear_update, options_.icp.angular_update) ||
            session_->last_drawing.isPassed(pose, options_.linear_update, options_.angular_update);
   }
@@ -167,7 +171,7 @@ class SessionMapper::Impl {
   /// Aligns the scan with the points of the session, and corrects the odometry when they fit.
   void match(const BeamFan& fan, ScanReport& report) {
     const mrpt::maps::CSimplePointsMap seen = hitsOf(fan);
-    const Rigid2 guess = session_->T_session_start.inverse() * T_session_base();
+    const grid::Rigid2 guess = session_->T_session_start.inverse() * T_session_base();
     mrpt::slam::CICP icp(icpParameters(options_.icp));
     mrpt::slam::CICP::TReturnInfo info;
     const auto result =
@@ -175,13 +179,13 @@ class SessionMapper::Impl {
             ->getMeanVal();
     report.goodness = info.goodness;
     if (info.goodness > options_.icp.min_goodness) {
-      const Rigid2 T_start_base{result.x(), result.y(), normalizeAngle(result.phi())};
+      const grid::Rigid2 T_start_base{result.x(), result.y(), grid::normalizeAngle(result.phi())};
       T_session_odom_ = session_->T_session_start * T_start_base * T_odom_base_.inverse();
     }
   }
 
   void draw(const BeamFan& fan, ScanReport& report) {
-    const Rigid2 pose = T_session_base();
+    const grid::Rigid2 pose = T_session_base();
     if (!session_->grid.draw(transform(pose, fan))) {
       report.outcome = ScanOutcome::kMapFull;
       report.reason = "the map would take more than " + std::to_string(HitCountingGrid::kMaxCells) + " cells";
@@ -195,8 +199,8 @@ class SessionMapper::Impl {
   }
 
   SessionMapperOptions options_;
-  Rigid2 T_session_odom_;
-  Rigid2 T_odom_base_;
+  grid::Rigid2 T_session_odom_;
+  grid::Rigid2 T_odom_base_;
   std::optional<Session> session_;
 };
 
@@ -207,14 +211,15 @@ SessionMapper& SessionMapper::operator=(SessionMapper&&) noexcept = default;
 
 const SessionMapperOptions& SessionMapper::options() const { return impl_->options(); }
 bool SessionMapper::hasMap() const { return impl_->hasMap(); }
-Rigid2 SessionMapper::T_session_base() const { return impl_->T_session_base(); }
-Rigid2 SessionMapper::T_session_odom() const { return impl_->T_session_odom(); }
-std::optional<OccupancyGrid> SessionMapper::map() const { return impl_->map(); }
+grid::Rigid2 SessionMapper::T_session_base() const { return impl_->T_session_base(); }
+grid::Rigid2 SessionMapper::T_session_odom() const { return impl_->T_session_odom(); }
+std::optional<grid::OccupancyGrid> SessionMapper::map() const { return impl_->map(); }
 
-ScanReport SessionMapper::addScan(const Rigid2& T_odom_base, const PlanarScan& scan, const LaserMount& mount) {
+ScanReport SessionMapper::addScan(const grid::Rigid2& T_odom_base, const scan::PlanarScan& scan,
+                                  const scan::LaserMount& mount) {
   return impl_->addScan(T_odom_base, scan, mount);
 }
 
 void SessionMapper::reset() { impl_ = std::make_unique<Impl>(options()); }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::mapping

@@ -5,7 +5,7 @@
 #include "map_matcher/mapping/hit_counting_grid.hpp"
 #include "map_matcher/parameters/option_check.hpp"
 
-namespace map_matcher {
+namespace map_matcher::mapping {
 namespace {
 
 constexpr double kSmallestCell = 0.001;   // [m]
@@ -14,7 +14,7 @@ constexpr double kLargestExtent = 1e5;    // [m]
 constexpr double kLongestRange = 1000.0;  // [m]
 constexpr double kLargestTurn = 3.15;     // [rad] a bit more than half a turn
 
-ParameterList icpParametersOf(IcpOptions& icp) {
+parameters::ParameterList icpParametersOf(IcpOptions& icp) {
   return {
       {"icp_linear_update", "m", "Motion after which a scan corrects the pose again.", &icp.linear_update, 0.0, 100.0},
       {"icp_angular_update", "rad", "Turning after which a scan corrects the pose again.", &icp.angular_update, 0.0,
@@ -42,8 +42,8 @@ void expectBelow(const char* low_name, double low, const char* high_name, double
 
 }  // namespace
 
-ParameterList parametersOf(SessionMapperOptions& options) {
-  ParameterList parameters = {
+parameters::ParameterList parametersOf(SessionMapperOptions& options) {
+  parameters::ParameterList parameters = {
       {"linearUpdate", "m", "Motion after which a scan is drawn.", &options.linear_update, 0.0, 100.0},
       {"angularUpdate", "rad", "Turning after which a scan is drawn.", &options.angular_update, 0.0, kLargestTurn},
       {"maxRange", "m", "Longer ranges say nothing; 0: the scan's range_max less 1 cm.", &options.max_range, 0.0,
@@ -59,14 +59,14 @@ ParameterList parametersOf(SessionMapperOptions& options) {
       {"xmax", "m", "Right side of the first map.", &options.xmax, -kLargestExtent, kLargestExtent},
       {"ymax", "m", "Upper side of the first map.", &options.ymax, -kLargestExtent, kLargestExtent},
   };
-  const ParameterList icp = icpParametersOf(options.icp);
+  const parameters::ParameterList icp = icpParametersOf(options.icp);
   parameters.insert(parameters.end(), icp.begin(), icp.end());
   return parameters;
 }
 
 std::vector<std::string> problemsWith(const SessionMapperOptions& options) {
   SessionMapperOptions copy = options;
-  std::vector<std::string> problems = problemsOf(parametersOf(copy));
+  std::vector<std::string> problems = parameters::problemsOf(parametersOf(copy));
   expectBelow("xmin", options.xmin, "xmax", options.xmax, problems);
   expectBelow("ymin", options.ymin, "ymax", options.ymax, problems);
   if (options.max_range > 0.0 && options.max_urange > options.max_range) {
@@ -84,4 +84,4 @@ std::vector<std::string> problemsWith(const SessionMapperOptions& options) {
   return problems;
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::mapping

@@ -1,9 +1,10 @@
 // Drives a simulated robot among people, live.
 
-#include "map_matcher/ros/crowd_simulator_server.hpp"
-#include "map_matcher/ros/run_node.hpp"
+#include "map_matcher/ros/common/run_node.hpp"
+#include "map_matcher/ros/simulation/crowd_simulator_server.hpp"
 
 int main(int argc, char** argv) {
-  return map_matcher::runNode<map_matcher::CrowdSimulatorServer, map_matcher::CrowdSimulatorServerOptions>(
-      argc, argv, "crowd_simulator");
+  return map_matcher::ros_common::runNode<map_matcher::ros_simulation::CrowdSimulatorServer,
+                                          map_matcher::ros_simulation::CrowdSimulatorServerOptions>(argc, argv,
+                                                                                                    "crowd_simulator");
 }

@@ -1,9 +1,10 @@
 // Removes the points near people from scans, as a process of its own.
 
-#include "map_matcher/ros/lidar_scrubber_server.hpp"
-#include "map_matcher/ros/run_node.hpp"
+#include "map_matcher/ros/common/run_node.hpp"
+#include "map_matcher/ros/scrubbing/lidar_scrubber_server.hpp"
 
 int main(int argc, char** argv) {
-  return map_matcher::runNode<map_matcher::LidarScrubberServer, map_matcher::LidarScrubberServerOptions>(
-      argc, argv, "lidar_scrubber");
+  return map_matcher::ros_common::runNode<map_matcher::ros_scrubbing::LidarScrubberServer,
+                                          map_matcher::ros_scrubbing::LidarScrubberServerOptions>(argc, argv,
+                                                                                                  "lidar_scrubber");
 }

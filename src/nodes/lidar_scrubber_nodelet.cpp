@@ -6,22 +6,22 @@
 #include <pluginlib/class_list_macros.hpp>
 #include <stdexcept>
 
-#include "map_matcher/ros/lidar_scrubber_server.hpp"
-#include "map_matcher/ros/run_node.hpp"
+#include "map_matcher/ros/common/run_node.hpp"
+#include "map_matcher/ros/scrubbing/lidar_scrubber_server.hpp"
 
 namespace map_matcher {
 
 class LidarScrubberNodelet : public nodelet::Nodelet {
   // Throws when a parameter cannot be used; the manager then refuses to load the nodelet.
   void onInit() override {
-    LidarScrubberServerOptions options;
-    if (!loadParameters(getPrivateNodeHandle(), parametersOf(options))) {
+    ros_scrubbing::LidarScrubberServerOptions options;
+    if (!ros_common::loadParameters(getPrivateNodeHandle(), parametersOf(options))) {
       throw std::invalid_argument("lidar_scrubber: parameters that cannot be used, see above");
     }
-    server_ = std::make_unique<LidarScrubberServer>(getNodeHandle(), getPrivateNodeHandle(), options);
+    server_ = std::make_unique<ros_scrubbing::LidarScrubberServer>(getNodeHandle(), getPrivateNodeHandle(), options);
   }
 
-  std::unique_ptr<LidarScrubberServer> server_;
+  std::unique_ptr<ros_scrubbing::LidarScrubberServer> server_;
 };
 
 }  // namespace map_matcher

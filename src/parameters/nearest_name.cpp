@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace map_matcher {
+namespace map_matcher::parameters {
 namespace {
 
 /// Number of insertions, deletions and replacements of characters that turn one text into the other.
@@ -45,4 +45,4 @@ std::optional<std::string> nearestName(const std::string& name, const ParameterL
   return nearestName(name, known);
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::parameters

@@ -5,7 +5,7 @@
 #include <locale>
 #include <sstream>
 
-namespace map_matcher {
+namespace map_matcher::parameters {
 namespace {
 
 constexpr double kLargestPlain = 1e15;  // from here on the exponent is shorter
@@ -40,4 +40,4 @@ std::string numberText(double value) {
   return text;
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::parameters

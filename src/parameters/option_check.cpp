@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-namespace map_matcher {
+namespace map_matcher::parameters {
 
 std::vector<std::string> problemsOf(const ParameterList& parameters) {
   std::vector<std::string> problems;
@@ -26,4 +26,4 @@ void throwIfAny(const std::vector<std::string>& problems) {
   throw std::invalid_argument(text);
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::parameters

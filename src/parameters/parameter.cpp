@@ -5,7 +5,7 @@
 
 #include "map_matcher/parameters/number_text.hpp"
 
-namespace map_matcher {
+namespace map_matcher::parameters {
 namespace {
 
 bool numberInRange(double value, const Parameter& parameter) {
@@ -85,4 +85,4 @@ std::string problemWith(const Parameter& parameter) {
   return parameter.name + " is " + valueText(parameter) + ", expected " + rangeText(parameter) + unit;
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::parameters

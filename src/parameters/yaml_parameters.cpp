@@ -11,7 +11,7 @@
 #include "map_matcher/parameters/nearest_name.hpp"
 #include "map_matcher/parameters/option_check.hpp"
 
-namespace map_matcher {
+namespace map_matcher::parameters {
 namespace {
 
 /// Stores a YAML value in a parameter's field; returns the problem, or "".
@@ -61,4 +61,4 @@ void loadYamlParameters(const std::string& path, const ParameterList& parameters
   throwIfAny(problems);
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::parameters

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace map_matcher {
+namespace map_matcher::scan {
 namespace {
 
 constexpr double kMaxAngle = 1000.0;    // [rad] many turns; farther from 0 sines say nothing
@@ -50,4 +50,4 @@ void PlanarScan::validate() const {
   }
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::scan

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace map_matcher {
+namespace map_matcher::scrubbing {
 namespace {
 
 constexpr std::size_t kMaxSets = 256;  // a second of eight detectors at 30 Hz
@@ -48,4 +48,4 @@ bool DetectionCache::applies(const DetectionSet& set, Stamp scan_stamp) const {
   return std::abs(seconds(scan_stamp - set.stamp)) <= options_.cache_duration;
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::scrubbing

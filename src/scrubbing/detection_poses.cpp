@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace map_matcher {
+namespace map_matcher::scrubbing {
 
 const char* toString(PosePath path) {
   switch (path) {
@@ -60,4 +60,4 @@ std::optional<Eigen::Isometry3d> DetectionPoses::asIfStandingStill(const std::st
   return set_frame == scan_frame ? Eigen::Isometry3d::Identity() : transforms_.latest(scan_frame, set_frame);
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::scrubbing

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <iterator>
 
-namespace map_matcher {
+namespace map_matcher::scrubbing {
 namespace {
 
 constexpr double kMaxDistance = 1e4;  // [m] no laser sees farther
@@ -45,4 +45,4 @@ int applyVeto(DetectionSet& set, const Veto& veto) {
   return veto ? removeUnless(set.detections, [&veto](const Detection& detection) { return !veto(detection); }) : 0;
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::scrubbing

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace map_matcher {
+namespace map_matcher::scrubbing {
 
 DetectorWatch::DetectorWatch(const std::vector<std::string>& topics, const DetectorLimits& limits) : limits_(limits) {
   for (const std::string& topic : topics) {
@@ -79,4 +79,4 @@ std::vector<std::string> DetectorWatch::uselessTopics(Stamp now) const {
   return topics;
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::scrubbing

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace map_matcher {
+namespace map_matcher::scrubbing {
 
 PeopleRemoval::PeopleRemoval(const ScrubbingOptions& options, PoseOf pose_of, std::optional<double> wait)
     : options_(options), pose_of_(std::move(pose_of)), cache_(options.cache) {
@@ -91,4 +91,4 @@ std::optional<Eigen::Isometry3d> PeopleRemoval::poseOf(const DetectionSet& set, 
   return pose.T_scan_set;
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::scrubbing

@@ -1,9 +1,9 @@
 #include "map_matcher/scrubbing/range_removal.hpp"
 
-namespace map_matcher {
+namespace map_matcher::scrubbing {
 
-RangeRemoval removeRanges(const ScanLayout& layout, const std::vector<float>& ranges, const std::vector<Disc>& discs,
-                          const ScrubbingOptions& options, ScanScrubber& scrubber) {
+RangeRemoval removeRanges(const scan::ScanLayout& layout, const std::vector<float>& ranges,
+                          const std::vector<Disc>& discs, const ScrubbingOptions& options, ScanScrubber& scrubber) {
   const std::vector<std::uint32_t>& beams = scrubber.beamsInside(layout, ranges, discs);
   RangeRemoval removal{ranges, {}, beams.size(), scrubber.numPoints()};
   if (static_cast<double>(beams.size()) > options.max_removed_fraction * removal.points) {
@@ -17,4 +17,4 @@ RangeRemoval removeRanges(const ScanLayout& layout, const std::vector<float>& ra
   return removal;
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::scrubbing

@@ -4,14 +4,15 @@
 #include <cmath>
 #include <limits>
 
-namespace map_matcher {
+namespace map_matcher::scrubbing {
 namespace {
 
 constexpr double kBeamMargin = 1.0;  // [beams] looked at beyond the edges of a disc, for rounding
 
 }  // namespace
 
-const std::vector<std::uint32_t>& ScanScrubber::beamsInside(const ScanLayout& layout, const std::vector<float>& ranges,
+const std::vector<std::uint32_t>& ScanScrubber::beamsInside(const scan::ScanLayout& layout,
+                                                            const std::vector<float>& ranges,
                                                             const std::vector<Disc>& discs) {
   prepareDirections(layout, ranges.size());
   placePoints(ranges);
@@ -28,7 +29,7 @@ const std::vector<std::uint32_t>& ScanScrubber::beamsInside(const ScanLayout& la
   return beams_;
 }
 
-void ScanScrubber::prepareDirections(const ScanLayout& layout, std::size_t num_beams) {
+void ScanScrubber::prepareDirections(const scan::ScanLayout& layout, std::size_t num_beams) {
   if (layout == layout_ && num_beams == cosines_.size()) {
     return;  // sines and cosines take longer than all the rest
   }
@@ -67,12 +68,12 @@ void ScanScrubber::markInside(const Disc& disc) {
     markRange(disc, {0, inside_.size()});
     return;
   }
-  visitBeamsNear(layout_.angle_min, layout_.angle_increment, inside_.size(),
-                 std::atan2(disc.centre.y(), disc.centre.x()), std::asin(disc.radius / distance), kBeamMargin,
-                 [&](const BeamRange& beams) { markRange(disc, beams); });
+  scan::visitBeamsNear(layout_.angle_min, layout_.angle_increment, inside_.size(),
+                       std::atan2(disc.centre.y(), disc.centre.x()), std::asin(disc.radius / distance), kBeamMargin,
+                       [&](const scan::BeamRange& beams) { markRange(disc, beams); });
 }
 
-void ScanScrubber::markRange(const Disc& disc, const BeamRange& beams) {
+void ScanScrubber::markRange(const Disc& disc, const scan::BeamRange& beams) {
   const double squared_radius = disc.radius * disc.radius;
   for (std::size_t i = beams.begin; i < beams.end; ++i) {
     const double dx = x_[i] - disc.centre.x();
@@ -81,4 +82,4 @@ void ScanScrubber::markRange(const Disc& disc, const BeamRange& beams) {
   }
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::scrubbing

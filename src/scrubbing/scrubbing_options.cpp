@@ -3,9 +3,9 @@
 #include <limits>
 #include <stdexcept>
 
-namespace map_matcher {
+namespace map_matcher::scrubbing {
 
-ParameterList parametersOf(ScrubbingOptions& options) {
+parameters::ParameterList parametersOf(ScrubbingOptions& options) {
   return {
       {"score_threshold", "", "Smallest score of a detection that counts; PoseArray messages carry no scores.",
        &options.limits.score_threshold, 0.0, 1.0},
@@ -30,7 +30,7 @@ ParameterList parametersOf(ScrubbingOptions& options) {
   };
 }
 
-float removedRange(const std::string& choice, const ScanLayout& layout) {
+float removedRange(const std::string& choice, const scan::ScanLayout& layout) {
   if (choice == "inf") {
     return std::numeric_limits<float>::infinity();
   }
@@ -43,4 +43,4 @@ float removedRange(const std::string& choice, const ScanLayout& layout) {
   throw std::invalid_argument("removed_range is \"" + choice + "\", expected inf | nan | over_range");
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::scrubbing

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace map_matcher {
+namespace map_matcher::scrubbing {
 namespace {
 
 constexpr std::size_t kMaxWaiting = 100;   // the oldest goes when there are more
@@ -42,4 +42,4 @@ bool WaitingScans::isAnswered(const RawScan& scan) const {
   });
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::scrubbing

@@ -2,10 +2,10 @@
 
 #include <sstream>
 
-namespace map_matcher {
+namespace map_matcher::search {
 namespace {
 
-std::string text(const Rigid2& pose) {
+std::string text(const grid::Rigid2& pose) {
   std::ostringstream out;
   out << "(" << pose.x << " m, " << pose.y << " m, " << pose.yaw << " rad)";
   return out.str();
@@ -97,4 +97,4 @@ Verdict judge(const MatchResult& result, const MatchOptions& options, Standing s
   return {MatchStatus::kMatched, reason.str()};
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::search

@@ -4,13 +4,13 @@
 #include <utility>
 
 #include "map_matcher/parameters/option_check.hpp"
-#include "map_matcher/search/certification.hpp"
+#include "map_matcher/search/exact/certification.hpp"
 #include "map_matcher/search/robot_surroundings.hpp"
 #include "map_matcher/search/search_reference.hpp"
-#include "map_matcher/search/stopwatch.hpp"
-#include "map_matcher/search/two_stage_search.hpp"
+#include "map_matcher/search/two_stage/two_stage_search.hpp"
+#include "map_matcher/work/stopwatch.hpp"
 
-namespace map_matcher {
+namespace map_matcher::search {
 namespace {
 
 /// Resolutions that differ by less than this share are the same.
@@ -18,7 +18,7 @@ constexpr double kSameResolution = 1e-6;
 
 /// A session map finer than the reference is searched cell by cell in the reference's cells; a coarser one needs the
 /// reference map at its own resolution.
-double workingResolution(const OccupancyGrid& reference, const OccupancyGrid& session) {
+double workingResolution(const grid::OccupancyGrid& reference, const grid::OccupancyGrid& session) {
   const bool coarser = session.resolution() > reference.resolution() * (1.0 + kSameResolution);
   return coarser ? session.resolution() : reference.resolution();
 }
@@ -26,15 +26,15 @@ double workingResolution(const OccupancyGrid& reference, const OccupancyGrid& se
 }  // namespace
 
 MapMatcher::MapMatcher(const MatchOptions& options) : options_(options) {
-  throwIfAny(problemsOf(parametersOf(options_)));
+  parameters::throwIfAny(parameters::problemsOf(parametersOf(options_)));
 }
 
 MapMatcher::~MapMatcher() = default;
 MapMatcher::MapMatcher(MapMatcher&&) noexcept = default;
 MapMatcher& MapMatcher::operator=(MapMatcher&&) noexcept = default;
 
-bool MapMatcher::setReference(OccupancyGrid reference, const StopToken& stop) {
-  auto taken = std::make_shared<const OccupancyGrid>(std::move(reference));
+bool MapMatcher::setReference(grid::OccupancyGrid reference, const work::StopToken& stop) {
+  auto taken = std::make_shared<const grid::OccupancyGrid>(std::move(reference));
   Built built = build(*taken, taken->resolution(), stop);
   if (!built.reference) {
     return false;
@@ -44,19 +44,21 @@ bool MapMatcher::setReference(OccupancyGrid reference, const StopToken& stop) {
   return true;
 }
 
-MatchResult MapMatcher::match(const OccupancyGrid& session, const MatchPrior& prior, const StopToken& stop) {
+MatchResult MapMatcher::match(const grid::OccupancyGrid& session, const MatchPrior& prior,
+                              const work::StopToken& stop) {
   const std::optional<MatchResult> refusal = prepareFor(session, stop);
-  return refusal ? *refusal : search(session, prior, Deadline(options_.exact_deadline, stop));
+  return refusal ? *refusal : search(session, prior, work::Deadline(options_.exact_deadline, stop));
 }
 
-MatchResult MapMatcher::match(const OccupancyGrid& session, const MatchPrior& prior, const Deadline& deadline) {
+MatchResult MapMatcher::match(const grid::OccupancyGrid& session, const MatchPrior& prior,
+                              const work::Deadline& deadline) {
   const std::optional<MatchResult> refusal = prepareFor(session, deadline.stop());
   return refusal ? *refusal : search(session, prior, deadline);
 }
 
 /// Builds what the session map needs of the reference map, unless it is there. What there is to say when it is not
 /// then.
-std::optional<MatchResult> MapMatcher::prepareFor(const OccupancyGrid& session, const StopToken& stop) {
+std::optional<MatchResult> MapMatcher::prepareFor(const grid::OccupancyGrid& session, const work::StopToken& stop) {
   MatchResult refusal;
   if (!reference_) {
     refusal.reason = "no reference map was set";
@@ -76,8 +78,9 @@ std::optional<MatchResult> MapMatcher::prepareFor(const OccupancyGrid& session, 
   return std::nullopt;
 }
 
-MatchResult MapMatcher::search(const OccupancyGrid& session, const MatchPrior& prior, const Deadline& deadline) const {
-  Stopwatch watch;
+MatchResult MapMatcher::search(const grid::OccupancyGrid& session, const MatchPrior& prior,
+                               const work::Deadline& deadline) const {
+  work::Stopwatch watch;
   const SearchReference& reference = *built_.reference;
   const SearchSession search_session = searchSession(session, reference.resolution(), options_);
   MatchResult result = twoStageSearch(reference, search_session, options_, prior, deadline);
@@ -90,15 +93,16 @@ MatchResult MapMatcher::search(const OccupancyGrid& session, const MatchPrior& p
   return result;
 }
 
-MapMatcher::Built MapMatcher::build(const OccupancyGrid& reference, double resolution, const StopToken& stop) const {
-  Stopwatch watch;
+MapMatcher::Built MapMatcher::build(const grid::OccupancyGrid& reference, double resolution,
+                                    const work::StopToken& stop) const {
+  work::Stopwatch watch;
   try {
-    const Deadline no_deadline(std::numeric_limits<double>::infinity(), stop);
+    const work::Deadline no_deadline(std::numeric_limits<double>::infinity(), stop);
     auto built = std::make_shared<const SearchReference>(reference, resolution, options_, no_deadline);
     return {std::move(built), watch.lap()};
-  } catch (const DeadlinePassed&) {
+  } catch (const work::DeadlinePassed&) {
     return {};
   }
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::search

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <thread>
 
-namespace map_matcher {
+namespace map_matcher::search {
 namespace {
 
 /// The parameters of the exact search alone.
-ParameterList exactParametersOf(MatchOptions& options) {
+parameters::ParameterList exactParametersOf(MatchOptions& options) {
   return {
       {"hit_tolerance", "m",
        "Exact search: a session cell counts as on a wall up to this far from one; about the noise of the scans.",
@@ -53,8 +53,8 @@ double smallestHitRatio(const MatchOptions& options) {
   return std::max(options.coarse.acceptance_ratio, options.min_hit_ratio);
 }
 
-ParameterList parametersOf(MatchOptions& options) {
-  ParameterList parameters{
+parameters::ParameterList parametersOf(MatchOptions& options) {
+  parameters::ParameterList parameters{
       {"search",
        "",
        "Either coarse and fine stage alone, or then the proof that no pose is better, and the best place elsewhere.",
@@ -77,9 +77,9 @@ ParameterList parametersOf(MatchOptions& options) {
        "Fine stage: smallest share of session cells on walls that is an answer; without one the coarse answer stands.",
        &options.fine.acceptance_ratio, 0.0, 1.0},
   };
-  const ParameterList exact = exactParametersOf(options);
+  const parameters::ParameterList exact = exactParametersOf(options);
   parameters.insert(parameters.end(), exact.begin(), exact.end());
-  const ParameterList others{
+  const parameters::ParameterList others{
       {"threads", "", "Threads that search; 0 is as many as the processor has.", &options.threads, 0.0, 256.0},
       {"hits_sample_threshold", "cells",
        "Session cells looked at in each stage, always the same ones for the same map; 0 looks at all.",
@@ -99,4 +99,4 @@ ParameterList parametersOf(MatchOptions& options) {
   return parameters;
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::search

@@ -1,6 +1,6 @@
 #include "map_matcher/search/match_result.hpp"
 
-namespace map_matcher {
+namespace map_matcher::search {
 
 const char* toString(MatchStatus status) {
   switch (status) {
@@ -30,4 +30,4 @@ const char* toString(MatchStatus status) {
   return "unknown";
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::search

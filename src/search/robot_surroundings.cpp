@@ -4,16 +4,16 @@
 #include <cmath>
 #include <sstream>
 
-namespace map_matcher {
+namespace map_matcher::search {
 namespace {
 
-Cell cellOf(const Eigen::Vector2d& p_grid, double resolution) {
+grid::Cell cellOf(const Eigen::Vector2d& p_grid, double resolution) {
   return {static_cast<int>(std::floor(p_grid.x() / resolution)), static_cast<int>(std::floor(p_grid.y() / resolution))};
 }
 
-bool isWallWithin(const OccupancyGrid& map, const Cell& cell, int reach, int occupied_threshold) {
-  const Cell first{std::max(0, cell.x - reach), std::max(0, cell.y - reach)};
-  const Cell last{std::min(map.width() - 1, cell.x + reach), std::min(map.height() - 1, cell.y + reach)};
+bool isWallWithin(const grid::OccupancyGrid& map, const grid::Cell& cell, int reach, int occupied_threshold) {
+  const grid::Cell first{std::max(0, cell.x - reach), std::max(0, cell.y - reach)};
+  const grid::Cell last{std::min(map.width() - 1, cell.x + reach), std::min(map.height() - 1, cell.y + reach)};
   for (int y = first.y; y <= last.y; ++y) {
     for (int x = first.x; x <= last.x; ++x) {
       if (map.at(x, y) >= occupied_threshold) {
@@ -25,14 +25,15 @@ bool isWallWithin(const OccupancyGrid& map, const Cell& cell, int reach, int occ
 }
 
 /// Adds to `nearby` the share of the session cells around the robot that are hits.
-void countHits(const SearchReference& reference, const SearchSession& session, const Rigid2& T_grid_session,
+void countHits(const SearchReference& reference, const SearchSession& session, const grid::Rigid2& T_grid_session,
                const Eigen::Vector2d& robot, double distance, Surroundings& nearby) {
   int hits = 0;
-  for (const Cell& cell : session.cells) {
+  for (const grid::Cell& cell : session.cells) {
     const Eigen::Vector2d centre = Eigen::Vector2d(cell.x + 0.5, cell.y + 0.5) * session.resolution;
     const Eigen::Vector2d p_session = session.T_session_grid * centre;
     if ((p_session - robot).norm() <= distance) {
-      const Cell position = reference.exact().position(0, cellOf(T_grid_session * p_session, reference.resolution()));
+      const grid::Cell position =
+          reference.exact().position(0, cellOf(T_grid_session * p_session, reference.resolution()));
       hits += reference.exact().level(0).at(position.x, position.y);
       ++nearby.cells;
     }
@@ -42,16 +43,16 @@ void countHits(const SearchReference& reference, const SearchSession& session, c
 
 /// Adds to `nearby` the share of the reference map's wall cells up to `distance` from `middle` [m, grid] that the
 /// session map, of which `T_cells_grid` finds the cells, has as well.
-void countWalls(const SearchReference& reference, const OccupancyGrid& session, const Rigid2& T_cells_grid,
+void countWalls(const SearchReference& reference, const grid::OccupancyGrid& session, const grid::Rigid2& T_cells_grid,
                 const Eigen::Vector2d& middle, const MatchOptions& options, Surroundings& nearby) {
   const PrecomputedGrids& grids = reference.fine();
   const double resolution = reference.resolution();
   const int reach = static_cast<int>(std::lround(kSameWall / session.resolution()));
   const Eigen::Vector2d half_size = Eigen::Vector2d::Constant(options.nearby_distance);
-  const Cell low = cellOf(middle - half_size, resolution);
-  const Cell high = cellOf(middle + half_size, resolution);
-  const Cell first{std::max(low.x, grids.firstWall().x), std::max(low.y, grids.firstWall().y)};
-  const Cell last{std::min(high.x, grids.lastWall().x), std::min(high.y, grids.lastWall().y)};
+  const grid::Cell low = cellOf(middle - half_size, resolution);
+  const grid::Cell high = cellOf(middle + half_size, resolution);
+  const grid::Cell first{std::max(low.x, grids.firstWall().x), std::max(low.y, grids.firstWall().y)};
+  const grid::Cell last{std::min(high.x, grids.lastWall().x), std::min(high.y, grids.lastWall().y)};
   int confirmed = 0;
   for (int y = first.y; y <= last.y; ++y) {
     for (int x = first.x; x <= last.x; ++x) {
@@ -59,7 +60,7 @@ void countWalls(const SearchReference& reference, const OccupancyGrid& session, 
       if (grids.level(0).at(x, y) == 0 || (centre - middle).norm() > options.nearby_distance) {
         continue;
       }
-      const Cell cell = cellOf(T_cells_grid * centre, session.resolution());
+      const grid::Cell cell = cellOf(T_cells_grid * centre, session.resolution());
       if (session.geometry().contains(cell) && session.at(cell.x, cell.y) >= 0) {
         confirmed += isWallWithin(session, cell, reach, options.occupied_threshold) ? 1 : 0;
         ++nearby.walls;
@@ -82,11 +83,11 @@ std::string astrayReason(const Surroundings& nearby, const MatchOptions& options
 
 }  // namespace
 
-Surroundings surroundings(const SearchReference& reference, const OccupancyGrid& session,
+Surroundings surroundings(const SearchReference& reference, const grid::OccupancyGrid& session,
                           const SearchSession& search_session, const MatchOptions& options,
-                          const Rigid2& T_reference_session, const Eigen::Vector2d& robot) {
-  const Rigid2 T_grid_session = reference.T_reference_grid().inverse() * T_reference_session;
-  const Rigid2 T_cells_grid = search_session.T_session_grid.inverse() * T_grid_session.inverse();
+                          const grid::Rigid2& T_reference_session, const Eigen::Vector2d& robot) {
+  const grid::Rigid2 T_grid_session = reference.T_reference_grid().inverse() * T_reference_session;
+  const grid::Rigid2 T_cells_grid = search_session.T_session_grid.inverse() * T_grid_session.inverse();
   Surroundings nearby;
   countHits(reference, search_session, T_grid_session, robot, options.nearby_distance, nearby);
   countWalls(reference, session, T_cells_grid, T_grid_session * robot, options, nearby);
@@ -102,7 +103,7 @@ bool isAstray(const Surroundings& nearby, double resolution, const MatchOptions&
   return was_astray ? !(cells_fit && walls_fit) : !(cells_fit || walls_fit);
 }
 
-void checkRobot(MatchResult& result, const SearchReference& reference, const OccupancyGrid& session,
+void checkRobot(MatchResult& result, const SearchReference& reference, const grid::OccupancyGrid& session,
                 const SearchSession& search_session, const MatchOptions& options, const MatchPrior& prior) {
   if (!result.matched() || !prior.robot) {
     return;
@@ -115,4 +116,4 @@ void checkRobot(MatchResult& result, const SearchReference& reference, const Occ
   }
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::search

@@ -3,17 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
-namespace map_matcher {
+namespace map_matcher::search {
 
-Rigid2 SearchFrames::mapPose(const CentrePose& pose, const Eigen::Vector2d& centre) const {
-  const Eigen::Vector2d t = pose.position - Rigid2{0.0, 0.0, pose.angle} * centre;
-  return T_reference_grid_ * Rigid2{t.x(), t.y(), pose.angle} * T_session_grid_.inverse();
+grid::Rigid2 SearchFrames::mapPose(const CentrePose& pose, const Eigen::Vector2d& centre) const {
+  const Eigen::Vector2d t = pose.position - grid::Rigid2{0.0, 0.0, pose.angle} * centre;
+  return T_reference_grid_ * grid::Rigid2{t.x(), t.y(), pose.angle} * T_session_grid_.inverse();
 }
 
 Eigen::Matrix3d SearchFrames::mapCovariance(const Eigen::Matrix3d& covariance, double angle,
                                             const Eigen::Vector2d& centre) const {
   // The origin of the session map frame lies `arm` from the centre; turning about the centre moves it along.
-  const Eigen::Vector2d arm = Rigid2{0.0, 0.0, T_reference_grid_.yaw + angle} *
+  const Eigen::Vector2d arm = grid::Rigid2{0.0, 0.0, T_reference_grid_.yaw + angle} *
                               Eigen::Vector2d(T_session_grid_.inverse().translation() - centre);
   Eigen::Matrix3d jacobian = Eigen::Matrix3d::Identity();
   jacobian.topLeftCorner<2, 2>() = T_reference_grid_.rotation();
@@ -22,13 +22,13 @@ Eigen::Matrix3d SearchFrames::mapCovariance(const Eigen::Matrix3d& covariance, d
   return jacobian * covariance * jacobian.transpose();
 }
 
-CentrePose SearchFrames::centrePose(const Rigid2& T_reference_session, const Eigen::Vector2d& centre) const {
-  const Rigid2 T_grids = T_reference_grid_.inverse() * T_reference_session * T_session_grid_;
+CentrePose SearchFrames::centrePose(const grid::Rigid2& T_reference_session, const Eigen::Vector2d& centre) const {
+  const grid::Rigid2 T_grids = T_reference_grid_.inverse() * T_reference_session * T_session_grid_;
   return {T_grids.yaw, T_grids * centre};
 }
 
 double SearchFrames::headingError(const HeadingPrior& prior, double angle) const {
-  return std::abs(normalizeAngle(angle - angleAt(prior.yaw)));
+  return std::abs(grid::normalizeAngle(angle - angleAt(prior.yaw)));
 }
 
 SearchWindow SearchFrames::window(const std::optional<WindowPrior>& prior, const Eigen::Vector2d& centre,
@@ -36,11 +36,11 @@ SearchWindow SearchFrames::window(const std::optional<WindowPrior>& prior, const
   if (!prior) {
     return everywhere();
   }
-  const Rigid2 T_grid_reference = T_reference_grid_.inverse();
+  const grid::Rigid2 T_grid_reference = T_reference_grid_.inverse();
   const Eigen::Vector2d box_centre = T_grid_reference * prior->centre;
   const Eigen::Vector2d half_size = T_grid_reference.rotation().cwiseAbs() * prior->half_size;
   const Eigen::Vector2d origin_in_grid = T_session_grid_.inverse().translation();
-  const Eigen::Vector2d origin_from_centre = Rigid2{0.0, 0.0, angle} * Eigen::Vector2d(origin_in_grid - centre);
+  const Eigen::Vector2d origin_from_centre = grid::Rigid2{0.0, 0.0, angle} * Eigen::Vector2d(origin_in_grid - centre);
   const Eigen::Vector2d middle = (box_centre - origin_from_centre) / resolution;
   const Eigen::Vector2d reach = half_size / resolution;
   const Eigen::Vector2d first = (middle - reach).array().floor();
@@ -51,4 +51,4 @@ SearchWindow SearchFrames::window(const std::optional<WindowPrior>& prior, const
   return {{clamped(first.x()), clamped(first.y())}, {clamped(last.x()), clamped(last.y())}};
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::search

@@ -9,9 +9,9 @@
 
 #include "map_matcher/grid/occupied_cells.hpp"
 #include "map_matcher/grid/resample.hpp"
-#include "map_matcher/search/pose_refiner.hpp"
+#include "map_matcher/search/refinement/pose_refiner.hpp"
 
-namespace map_matcher {
+namespace map_matcher::search {
 double nearestHalving(double resolution, double coarse_resolution) {
   const double halvings = std::max(0.0, std::round(std::log2(coarse_resolution / resolution)));
   return resolution * std::exp2(halvings);
@@ -23,18 +23,18 @@ int exactTopLevel(double resolution) {
   return std::clamp(static_cast<int>(std::lround(std::log2(kWidestNode / resolution))), 1, kHighest);
 }
 
-SearchReference::SearchReference(const OccupancyGrid& reference, double resolution, const MatchOptions& options,
-                                 const Deadline& deadline)
+SearchReference::SearchReference(const grid::OccupancyGrid& reference, double resolution, const MatchOptions& options,
+                                 const work::Deadline& deadline)
     : fine_resolution_(resolution), coarse_resolution_(nearestHalving(resolution, options.coarse_resolution)) {
   const double offset = -options.reference_map_cell_offset * reference.resolution();
-  T_reference_grid_ = reference.geometry().T_map_grid * Rigid2{offset, offset, 0.0};
+  T_reference_grid_ = reference.geometry().T_map_grid * grid::Rigid2{offset, offset, 0.0};
   const auto threshold = static_cast<std::int8_t>(options.occupied_threshold);
   const auto before_row = [&deadline] { deadline.throwIfPassed(); };
   const bool resampled = resolution != reference.resolution();
-  const std::optional<OccupancyGrid> at_resolution =
-      resampled ? std::make_optional(resample(reference, resolution, before_row)) : std::nullopt;
-  const OccupancyGrid& grid = resampled ? *at_resolution : reference;
-  const std::vector<Cell> walls = occupiedCells(grid, threshold);
+  const std::optional<grid::OccupancyGrid> at_resolution =
+      resampled ? std::make_optional(grid::resample(reference, resolution, before_row)) : std::nullopt;
+  const grid::OccupancyGrid& grid = resampled ? *at_resolution : reference;
+  const std::vector<grid::Cell> walls = grid::occupiedCells(grid, threshold);
   std::vector<std::future<void>> others;
   if (options.search == "exact") {
     others.push_back(std::async(std::launch::async, [&] {
@@ -47,12 +47,12 @@ SearchReference::SearchReference(const OccupancyGrid& reference, double resoluti
     }));
   }
   fine_.emplace(grid.width(), grid.height(), walls, kFineRootLevel, -1, deadline);
-  const OccupancyGrid coarse = resample(reference, coarse_resolution_, before_row);
-  coarse_.emplace(coarse.width(), coarse.height(), occupiedCells(coarse, threshold), kCoarseRootLevel,
+  const grid::OccupancyGrid coarse = grid::resample(reference, coarse_resolution_, before_row);
+  coarse_.emplace(coarse.width(), coarse.height(), grid::occupiedCells(coarse, threshold), kCoarseRootLevel,
                   kCoarseTopBandLevel, deadline);
   for (std::future<void>& other : others) {
     other.get();
   }
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::search

@@ -5,14 +5,14 @@
 
 #include "map_matcher/grid/occupied_cells.hpp"
 
-namespace map_matcher {
+namespace map_matcher::search {
 
-SearchSession searchSession(const OccupancyGrid& session, double resolution, const MatchOptions& options) {
+SearchSession searchSession(const grid::OccupancyGrid& session, double resolution, const MatchOptions& options) {
   const double offset = -options.session_map_cell_offset * session.resolution();
   SearchSession result;
-  result.cells = occupiedCells(session, static_cast<std::int8_t>(options.occupied_threshold));
+  result.cells = grid::occupiedCells(session, static_cast<std::int8_t>(options.occupied_threshold));
   result.resolution = session.resolution();
-  result.T_session_grid = session.geometry().T_map_grid * Rigid2{offset, offset, 0.0};
+  result.T_session_grid = session.geometry().T_map_grid * grid::Rigid2{offset, offset, 0.0};
   if (!result.cells.empty()) {
     result.fine = prepareSessionCells(result.cells, session.resolution(), resolution, CellMerging::kNone,
                                       options.hits_sample_threshold);
@@ -20,4 +20,4 @@ SearchSession searchSession(const OccupancyGrid& session, double resolution, con
   return result;
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::search

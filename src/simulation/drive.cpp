@@ -10,7 +10,7 @@
 #include "map_matcher/simulation/random_numbers.hpp"
 #include "map_matcher/simulation/yielding.hpp"
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 namespace {
 
 constexpr double kControlPeriod = 0.02;  // [s] at most
@@ -32,10 +32,10 @@ enum Stream : std::uint64_t {
 };
 
 std::vector<std::string> problemsOfDrive(DriveOptions options) {
-  std::vector<std::string> problems = problemsOf(parametersOf(options));
-  std::vector<Rigid2> poses = options.more_lidars;
+  std::vector<std::string> problems = parameters::problemsOf(parametersOf(options));
+  std::vector<grid::Rigid2> poses = options.more_lidars;
   poses.insert(poses.begin(), options.lidar.T_base_lidar);
-  for (const Rigid2& pose : poses) {
+  for (const grid::Rigid2& pose : poses) {
     if (!(pose.translation().norm() <= options.robot.radius)) {
       std::ostringstream text;
       text << "lidar_x, lidar_y are " << pose.x << ", " << pose.y << ", expected a place within radius ("
@@ -46,7 +46,7 @@ std::vector<std::string> problemsOfDrive(DriveOptions options) {
   if (options.explore && !options.waypoints.empty()) {
     problems.emplace_back("there are waypoints, expected none for a robot that explores");
   }
-  const std::optional<Rigid2>& start = options.start;
+  const std::optional<grid::Rigid2>& start = options.start;
   if (start && !(start->translation().allFinite() && std::isfinite(start->yaw))) {
     std::ostringstream text;
     text << "start is (" << start->x << ", " << start->y << ") m with yaw " << start->yaw
@@ -57,7 +57,7 @@ std::vector<std::string> problemsOfDrive(DriveOptions options) {
 }
 
 const DriveOptions& checked(const DriveOptions& options) {
-  throwIfAny(problemsOfDrive(options));
+  parameters::throwIfAny(problemsOfDrive(options));
   return options;
 }
 
@@ -70,8 +70,8 @@ int numParts(double period, double longest) { return static_cast<int>(std::ceil(
 
 }  // namespace
 
-ParameterList parametersOf(DriveOptions& options) {
-  ParameterList parameters{
+parameters::ParameterList parametersOf(DriveOptions& options) {
+  parameters::ParameterList parameters{
       {"duration", "s", "Length of the drive; along given waypoints it may end sooner.", &options.duration, 0.1, 36000},
       {"rate", "Hz", "Scans and odometry readings.", &options.rate, 0.5, 200.0},
       {"min_waypoint_distance", "m", "Straight distance of a random waypoint from the last, where possible.",
@@ -79,7 +79,7 @@ ParameterList parametersOf(DriveOptions& options) {
       {"patience", "s", "A robot that people hold up so long goes to another random waypoint.", &options.patience, 0.5,
        36000.0},
   };
-  for (const ParameterList& part :
+  for (const parameters::ParameterList& part :
        {parametersOf(options.lidar), parametersOf(options.robot), parametersOf(options.odometry),
         parametersOf(options.pedestrians), parametersOf(options.detector)}) {
     parameters.insert(parameters.end(), part.begin(), part.end());
@@ -98,7 +98,7 @@ void equipAsPepper(DriveOptions& options) {
   options.rate = 15.0;
 }
 
-DriveSimulation::DriveSimulation(const OccupancyGrid& map, const DriveOptions& options)
+DriveSimulation::DriveSimulation(const grid::OccupancyGrid& map, const DriveOptions& options)
     : options_(checked(options)),
       world_(map),
       itinerary_(world_, itineraryOf(options), RandomNumbers(options.seed, kWay)),
@@ -112,7 +112,7 @@ DriveSimulation::DriveSimulation(const OccupancyGrid& map, const DriveOptions& o
 }
 
 /// Lidars, and people and detectors where they were asked for.
-void DriveSimulation::equip(const OccupancyGrid& map) {
+void DriveSimulation::equip(const grid::OccupancyGrid& map) {
   T_base_lidar_ = options_.more_lidars;
   T_base_lidar_.insert(T_base_lidar_.begin(), options_.lidar.T_base_lidar);
   const bool has_people = options_.pedestrians.people > 0 || options_.pedestrians.density > 0.0;
@@ -278,7 +278,7 @@ DriveStep DriveSimulation::look() {
   return step;
 }
 
-Drive simulateDrive(const OccupancyGrid& map, const DriveOptions& options) {
+Drive simulateDrive(const grid::OccupancyGrid& map, const DriveOptions& options) {
   DriveSimulation simulation(map, options);
   Drive drive;
   while (std::optional<DriveStep> step = simulation.next()) {
@@ -290,4 +290,4 @@ Drive simulateDrive(const OccupancyGrid& map, const DriveOptions& options) {
   return drive;
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

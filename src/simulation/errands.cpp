@@ -1,6 +1,6 @@
 #include "map_matcher/simulation/errands.hpp"
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 namespace {
 
 constexpr std::size_t kGoals = 96;  // of all people
@@ -30,4 +30,4 @@ const WayField& Errands::waysTo(std::size_t goal) {
   return *ways_[goal];
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

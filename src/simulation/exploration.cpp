@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 namespace {
 
 constexpr double kSight = 8.0;     // [m] up to which a cell counts as seen
@@ -18,9 +18,9 @@ Exploration::Exploration(const PathPlanner& planner)
     : planner_(planner),
       seen_(static_cast<std::size_t>(planner.geometry().width) * static_cast<std::size_t>(planner.geometry().height)) {}
 
-void Exploration::see(const PlanarScan& scan, const Rigid2& T_map_lidar) {
-  const GridGeometry& geometry = planner_.geometry();
-  const Rigid2 T_grid_lidar = geometry.T_map_grid.inverse() * T_map_lidar;
+void Exploration::see(const scan::PlanarScan& scan, const grid::Rigid2& T_map_lidar) {
+  const grid::GridGeometry& geometry = planner_.geometry();
+  const grid::Rigid2 T_grid_lidar = geometry.T_map_grid.inverse() * T_map_lidar;
   const Eigen::Vector2d origin = T_grid_lidar.translation() / geometry.resolution;
   for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
     const double heading = T_grid_lidar.yaw + scan.angle_min + static_cast<double>(i) * scan.angle_increment;
@@ -28,7 +28,7 @@ void Exploration::see(const PlanarScan& scan, const Rigid2& T_map_lidar) {
     const double length = std::min<double>(scan.ranges[i], std::min(kSight, scan.range_max)) / geometry.resolution;
     for (double travelled = 0.0; travelled < length; travelled += 0.7) {
       const Eigen::Vector2d p = origin + travelled * direction;
-      const Cell cell{static_cast<int>(std::floor(p.x())), static_cast<int>(std::floor(p.y()))};
+      const grid::Cell cell{static_cast<int>(std::floor(p.x())), static_cast<int>(std::floor(p.y()))};
       if (geometry.contains(cell)) {
         seen_[indexOf(cell)] = true;
       }
@@ -37,7 +37,7 @@ void Exploration::see(const PlanarScan& scan, const Rigid2& T_map_lidar) {
 }
 
 bool Exploration::isFrontier(const Eigen::Vector2d& place) const {
-  const Cell centre = planner_.geometry().cellAt(place);
+  const grid::Cell centre = planner_.geometry().cellAt(place);
   if (!planner_.isFree(centre) || !seen_[indexOf(centre)]) {
     return false;
   }
@@ -58,4 +58,4 @@ std::optional<Path> Exploration::nextWay(const Eigen::Vector2d& position,
   });
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

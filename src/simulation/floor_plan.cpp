@@ -7,7 +7,7 @@
 #include "map_matcher/parameters/option_check.hpp"
 #include "map_matcher/simulation/random_numbers.hpp"
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 namespace {
 
 constexpr std::uint64_t kPlanStream = 1;  // of the seed
@@ -217,8 +217,8 @@ Rectangle Door::approach() const {
 
 FloorPlan drawFloorPlan(const OfficeBuildingOptions& options) {
   OfficeBuildingOptions checked = options;
-  throwIfAny(problemsOf(parametersOf(checked)));
+  parameters::throwIfAny(parameters::problemsOf(parametersOf(checked)));
   return PlanDrawer(options).draw();
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

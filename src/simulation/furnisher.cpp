@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 namespace {
 
 constexpr int kTrials = 60;      // places tried for a piece
@@ -47,10 +47,10 @@ bool Furnisher::placeDoorLeaf(const Door& door) {
   const int across = door.in_wall_along_x ? 1 : 0;
   const bool is_beyond = space_.floor.centre()[across] < door.centre[across];
   const double yaw = (door.in_wall_along_x ? 0.0 : -0.5 * M_PI) + (is_beyond ? M_PI : 0.0);
-  const Rigid2 T_plan_door{door.centre.x(), door.centre.y(), normalizeAngle(yaw)};
+  const grid::Rigid2 T_plan_door{door.centre.x(), door.centre.y(), grid::normalizeAngle(yaw)};
   const double jamb = random_.chance(0.5) ? 0.5 : -0.5;
   Furniture leaf = placed(doorLeaf(door.width - 0.05, std::copysign(random_.uniform(0.05, 0.5), jamb)),
-                          T_plan_door * Rigid2{jamb * door.width, 0.0, 0.0});
+                          T_plan_door * grid::Rigid2{jamb * door.width, 0.0, 0.0});
   if (!isClear(leaf.footprint)) {
     return false;
   }
@@ -58,7 +58,7 @@ bool Furnisher::placeDoorLeaf(const Door& door) {
   return true;
 }
 
-Rigid2 Furnisher::randomPoseAtWall(const Furniture& piece, Side side) {
+grid::Rigid2 Furnisher::randomPoseAtWall(const Furniture& piece, Side side) {
   const Rectangle& floor = space_.floor;
   const bool along_x = side == Side::kBottom || side == Side::kTop;
   const double low = (along_x ? floor.x_min : floor.y_min) + 0.5 * piece.footprint.width();
@@ -105,4 +105,4 @@ bool Furnisher::isClear(const Rectangle& footprint) const {
                      [&](const Furniture& piece) { return separation(footprint, piece.footprint) >= passage_; });
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

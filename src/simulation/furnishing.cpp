@@ -8,7 +8,7 @@
 #include "map_matcher/simulation/furnisher.hpp"
 #include "map_matcher/simulation/random_numbers.hpp"
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 namespace {
 
 constexpr std::uint64_t kFurnitureStream = 2;  // of the seed
@@ -189,4 +189,4 @@ std::vector<FurnishedSpace> furnish(const FloorPlan& plan, const OfficeBuildingO
   return spaces;
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 namespace {
 
 constexpr double kChairSpace = 0.85;  // [m] that a chair and who sits on it take in front of a table
@@ -23,19 +23,21 @@ Solid post(double x, double y, double radius) { return {{x, y, 0.0}, {radius, ra
 
 /// A swivel chair near (x, y), turned and moved a little: its foot with five short arms.
 void addSwivelChair(std::vector<Solid>& solids, double x, double y, RandomNumbers& random) {
-  const Rigid2 foot{x + random.uniform(-0.08, 0.08), y + random.uniform(-0.05, 0.05), random.uniform(-M_PI, M_PI)};
+  const grid::Rigid2 foot{x + random.uniform(-0.08, 0.08), y + random.uniform(-0.05, 0.05),
+                          random.uniform(-M_PI, M_PI)};
   for (int i = 0; i < 5; ++i) {
-    const Rigid2 arm = foot * Rigid2{0.0, 0.0, i * 2.0 * M_PI / 5.0} * Rigid2{0.13, 0.0, 0.0};
+    const grid::Rigid2 arm = foot * grid::Rigid2{0.0, 0.0, i * 2.0 * M_PI / 5.0} * grid::Rigid2{0.13, 0.0, 0.0};
     solids.push_back({arm, {0.13, 0.5 * kLegSize}, false});
   }
 }
 
 /// A chair on four legs.
 void addChair(std::vector<Solid>& solids, double x, double y, RandomNumbers& random) {
-  const Rigid2 chair{x + random.uniform(-0.06, 0.06), y + random.uniform(-0.06, 0.06), random.uniform(-0.35, 0.35)};
+  const grid::Rigid2 chair{x + random.uniform(-0.06, 0.06), y + random.uniform(-0.06, 0.06),
+                           random.uniform(-0.35, 0.35)};
   for (const double leg_x : {-0.2, 0.2}) {
     for (const double leg_y : {-0.2, 0.2}) {
-      solids.push_back({chair * Rigid2{leg_x, leg_y, 0.0}, {0.5 * kLegSize, 0.5 * kLegSize}, false});
+      solids.push_back({chair * grid::Rigid2{leg_x, leg_y, 0.0}, {0.5 * kLegSize, 0.5 * kLegSize}, false});
     }
   }
 }
@@ -53,7 +55,7 @@ void addDesk(std::vector<Solid>& solids, double x, double y, double width, doubl
 
 }  // namespace
 
-Furniture placed(const Furniture& piece, const Rigid2& T_plan_piece) {
+Furniture placed(const Furniture& piece, const grid::Rigid2& T_plan_piece) {
   Furniture result;
   for (const Solid& solid : piece.solids) {
     result.solids.push_back({T_plan_piece * solid.pose, solid.half_size, solid.is_round});
@@ -79,7 +81,7 @@ Furniture deskAtWall(RandomNumbers& random) {
 Furniture deskPairFromWall(RandomNumbers& random) {
   // Desks along y, their backs to x = 0.
   const double width = random.uniform(1.4, 1.7);
-  const Rigid2 turned{0.0, 0.5 * width, 0.5 * M_PI};
+  const grid::Rigid2 turned{0.0, 0.5 * width, 0.5 * M_PI};
   Furniture piece;
   addDesk(piece.solids, 0.0, 0.0, width, 1.0, random);
   addDesk(piece.solids, 0.0, 0.0, width, -1.0, random);
@@ -116,7 +118,7 @@ Furniture plantAtWall(RandomNumbers& random) {
 
 Furniture doorLeaf(double length, double lean) {
   constexpr double kThickness = 0.04;
-  const Rigid2 leaf{0.5 * length * std::sin(lean), 0.5 * length * std::cos(lean), 0.5 * M_PI - lean};
+  const grid::Rigid2 leaf{0.5 * length * std::sin(lean), 0.5 * length * std::cos(lean), 0.5 * M_PI - lean};
   return {{{leaf, {0.5 * length, 0.5 * kThickness}, false}},
           {std::min(0.0, length * std::sin(lean)), 0.0, std::max(0.0, length * std::sin(lean)), length}};
 }
@@ -180,4 +182,4 @@ Furniture pillar(RandomNumbers& random) {
                             : Furniture{{box(0.0, 0.0, 2.0 * half, 2.0 * half)}, footprint};
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

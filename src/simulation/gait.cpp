@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 namespace {
 
 constexpr double kWalkingRatio = 0.39;    // [m s] step length by step frequency
@@ -72,4 +72,4 @@ Eigen::Vector2d Gait::besideBody(std::size_t foot, const Eigen::Vector2d& centre
   return centre + side * Eigen::Vector2d(-std::sin(heading), std::cos(heading));
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

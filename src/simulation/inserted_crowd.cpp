@@ -7,7 +7,7 @@
 #include "map_matcher/parameters/option_check.hpp"
 #include "map_matcher/simulation/round_obstacles.hpp"
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 namespace {
 
 constexpr double kPeriod = 0.07;      // [s] that people move on at once, at most
@@ -20,16 +20,16 @@ enum Stream : std::uint64_t { kPeople = 1, kNoise = 2, kDetector = 3 };
 
 const InsertedCrowdOptions& checked(const InsertedCrowdOptions& options) {
   InsertedCrowdOptions copy = options;
-  ParameterList parameters = parametersOf(copy.pedestrians);
+  parameters::ParameterList parameters = parametersOf(copy.pedestrians);
   parameters.push_back({"radius", "m", "Of the robot.", &copy.robot_radius, 0.05, 2.0});
   parameters.push_back({"sigma", "m", "Of a range.", &copy.sigma, 0.0, 1.0});
-  throwIfAny(problemsOf(parameters));
+  parameters::throwIfAny(parameters::problemsOf(parameters));
   return options;
 }
 
 /// The scan with its angles as seen from above, which run backwards for a laser that hangs upside down; and back.
-PlanarScan turnedOver(const MountedScan& mounted) {
-  PlanarScan scan = mounted.scan;
+scan::PlanarScan turnedOver(const scan::MountedScan& mounted) {
+  scan::PlanarScan scan = mounted.scan;
   if (mounted.mount.upside_down) {
     scan.angle_min = -scan.angle_min;
     scan.angle_increment = -scan.angle_increment;
@@ -39,13 +39,13 @@ PlanarScan turnedOver(const MountedScan& mounted) {
 
 }  // namespace
 
-InsertedCrowd::InsertedCrowd(const OccupancyGrid& map, const InsertedCrowdOptions& options)
+InsertedCrowd::InsertedCrowd(const grid::OccupancyGrid& map, const InsertedCrowdOptions& options)
     : world_(map),
       options_(checked(options)),
       detector_(map, options.detector, RandomNumbers(options.seed, kDetector)),
       noise_(options.seed, kNoise) {}
 
-void InsertedCrowd::moveOn(double time, const std::vector<Rigid2>& way) {
+void InsertedCrowd::moveOn(double time, const std::vector<grid::Rigid2>& way) {
   double period = std::clamp(time - time_, 0.0, kLongestGap);
   RobotSweep sweep = sweepOf(way);
   if (people_ && period > 0.0) {
@@ -65,11 +65,11 @@ void InsertedCrowd::moveOn(double time, const std::vector<Rigid2>& way) {
   }
 }
 
-CrowdedScan InsertedCrowd::among(const MountedScan& recorded) {
+CrowdedScan InsertedCrowd::among(const scan::MountedScan& recorded) {
   if (!people_) {
     return {recorded.scan, std::nullopt};
   }
-  const Rigid2 T_map_laser = T_map_base_ * recorded.mount.T_base_laser;
+  const grid::Rigid2 T_map_laser = T_map_base_ * recorded.mount.T_base_laser;
   const std::vector<Circle> legs = legsOf(people_->people());
   const std::vector<std::size_t> in_sight = legsInSight(legs);
   std::vector<Circle> seen;
@@ -99,9 +99,9 @@ const std::vector<Person>& InsertedCrowd::people() const {
 }
 
 /// The robot as people have to avoid it: where it is and will be.
-RobotSweep InsertedCrowd::sweepOf(const std::vector<Rigid2>& way) const {
+RobotSweep InsertedCrowd::sweepOf(const std::vector<grid::Rigid2>& way) const {
   RobotSweep sweep;
-  for (const Rigid2& pose : way) {
+  for (const grid::Rigid2& pose : way) {
     sweep.centres.push_back(pose.translation());
   }
   sweep.radius = options_.robot_radius;
@@ -120,4 +120,4 @@ std::vector<std::size_t> InsertedCrowd::legsInSight(const std::vector<Circle>& l
   return in_sight;
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 namespace {
 
 constexpr double kPlanningMargin = 0.08;  // [m] that planned ways keep beyond the robot's radius
@@ -35,7 +35,7 @@ Itinerary::Itinerary(const World& world, ItineraryOptions options, const RandomN
   }
 }
 
-void Itinerary::see(const PlanarScan& scan, const Rigid2& T_map_lidar) {
+void Itinerary::see(const scan::PlanarScan& scan, const grid::Rigid2& T_map_lidar) {
   if (exploration_) {
     exploration_->see(scan, T_map_lidar);
   }
@@ -70,7 +70,7 @@ std::optional<Path> Itinerary::otherWay(const Eigen::Vector2d& position, const E
   return way;
 }
 
-Rigid2 Itinerary::chooseStart() {
+grid::Rigid2 Itinerary::chooseStart() {
   const std::vector<Eigen::Vector2d>& places = planner_.places();
   if (places.empty()) {
     std::ostringstream text;
@@ -88,7 +88,7 @@ Rigid2 Itinerary::chooseStart() {
          << " m of free space around it";
     throw std::invalid_argument(text.str());
   }
-  return {place.x(), place.y(), normalizeAngle(options_.start->yaw)};
+  return {place.x(), place.y(), grid::normalizeAngle(options_.start->yaw)};
 }
 
 Eigen::Vector2d Itinerary::randomPlaceFarFrom(const Eigen::Vector2d& position) {
@@ -114,4 +114,4 @@ Path Itinerary::plan(const Eigen::Vector2d& from, const Eigen::Vector2d& to, con
   return *std::move(way);
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

@@ -6,9 +6,9 @@
 #include "map_matcher/parameters/option_check.hpp"
 #include "map_matcher/simulation/round_obstacles.hpp"
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 
-ParameterList parametersOf(LidarOptions& options) {
+parameters::ParameterList parametersOf(LidarOptions& options) {
   return {
       {"beams", "", "Rays of a scan, the first and last at the edges of the field of view.", &options.beams, 2, 100000},
       {"field_of_view", "rad", "Angle between the first and the last ray.", &options.field_of_view, 0.01, 6.2832},
@@ -22,15 +22,17 @@ ParameterList parametersOf(LidarOptions& options) {
 }
 
 Lidar::Lidar(const LidarOptions& options, const RandomNumbers& noise) : options_(options), noise_(noise) {
-  throwIfAny(problemsOf(parametersOf(options_)));
+  parameters::throwIfAny(parameters::problemsOf(parametersOf(options_)));
 }
 
-PlanarScan Lidar::scan(const World& world, const Rigid2& T_map_base) { return scanAmong({}, world, T_map_base).scan; }
+scan::PlanarScan Lidar::scan(const World& world, const grid::Rigid2& T_map_base) {
+  return scanAmong({}, world, T_map_base).scan;
+}
 
-LidarView Lidar::scanAmong(const std::vector<Circle>& circles, const World& world, const Rigid2& T_map_base) {
+LidarView Lidar::scanAmong(const std::vector<Circle>& circles, const World& world, const grid::Rigid2& T_map_base) {
   const double angle_min = -0.5 * options_.field_of_view;
   const double angle_increment = options_.field_of_view / (options_.beams - 1);
-  const Rigid2 T_map_lidar = T_map_base * options_.T_base_lidar;
+  const grid::Rigid2 T_map_lidar = T_map_base * options_.T_base_lidar;
   // Noise may bring a surface beyond the range back into it: rays look a little farther.
   const double reach = options_.range_max + 6.0 * options_.sigma;
   std::vector<double> walls;
@@ -56,4 +58,4 @@ LidarView Lidar::scanAmong(const std::vector<Circle>& circles, const World& worl
   return view;
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

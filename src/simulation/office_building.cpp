@@ -8,15 +8,15 @@
 #include "map_matcher/simulation/floor_plan.hpp"
 #include "map_matcher/simulation/furnishing.hpp"
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 namespace {
 
 constexpr double kMargin = 0.5;  // [m] of unknown cells around the building
 
 /// Cells [first, last) along both axes.
 struct CellRange {
-  Cell first;
-  Cell last;
+  grid::Cell first;
+  grid::Cell last;
 };
 
 /// Draws a floor plan into a grid. Lines of the plan become lines between cells, so that walls keep their thickness in
@@ -28,11 +28,11 @@ class PlanPainter {
         grid_(geometryFor(plan, options.resolution)),
         wall_cells_(cellsFor(options.wall_thickness)),
         outer_wall_cells_(cellsFor(options.outer_wall_thickness)) {
-    paint({{line(0.0), line(0.0)}, {line(plan.length), line(plan.width)}}, kOccupied);
+    paint({{line(0.0), line(0.0)}, {line(plan.length), line(plan.width)}}, grid::kOccupied);
   }
 
   /// Clears the floor of a space; its walls remain.
-  void clear(const Space& space) { paint(floorCells(space), kFree); }
+  void clear(const Space& space) { paint(floorCells(space), grid::kFree); }
 
   /// Clears the wall that a door is in.
   void clear(const Door& door) {
@@ -41,11 +41,11 @@ class PlanPainter {
     if (door.in_wall_along_x) {
       const int wall = line(door.centre.y());
       paint({{line(door.centre.x() - half), wall - thickness}, {line(door.centre.x() + half), wall + thickness}},
-            kFree);
+            grid::kFree);
     } else {
       const int wall = line(door.centre.x());
       paint({{wall - thickness, line(door.centre.y() - half)}, {wall + thickness, line(door.centre.y() + half)}},
-            kFree);
+            grid::kFree);
     }
   }
 
@@ -54,22 +54,22 @@ class PlanPainter {
     const CellRange floor = floorCells(space);
     const double reach = solid.half_size.norm() + grid_.resolution();
     const Eigen::Vector2d centre = solid.pose.translation();
-    const Cell low = grid_.geometry().cellAt(centre - Eigen::Vector2d(reach, reach));
-    const Cell high = grid_.geometry().cellAt(centre + Eigen::Vector2d(reach, reach));
+    const grid::Cell low = grid_.geometry().cellAt(centre - Eigen::Vector2d(reach, reach));
+    const grid::Cell high = grid_.geometry().cellAt(centre + Eigen::Vector2d(reach, reach));
     for (int y = std::max(low.y, floor.first.y); y < std::min(high.y + 1, floor.last.y); ++y) {
       for (int x = std::max(low.x, floor.first.x); x < std::min(high.x + 1, floor.last.x); ++x) {
         if (covers(solid, grid_.geometry().cellCentre({x, y}))) {
-          grid_.at(x, y) = kOccupied;
+          grid_.at(x, y) = grid::kOccupied;
         }
       }
     }
   }
 
-  OccupancyGrid take() { return std::move(grid_); }
+  grid::OccupancyGrid take() { return std::move(grid_); }
 
  private:
-  static GridGeometry geometryFor(const FloorPlan& plan, double resolution) {
-    GridGeometry geometry;
+  static grid::GridGeometry geometryFor(const FloorPlan& plan, double resolution) {
+    grid::GridGeometry geometry;
     geometry.resolution = resolution;
     const int margin = static_cast<int>(std::ceil(kMargin / resolution));
     geometry.width = static_cast<int>(std::lround(plan.length / resolution)) + 2 * margin;
@@ -118,14 +118,14 @@ class PlanPainter {
   }
 
   const FloorPlan& plan_;
-  OccupancyGrid grid_;
+  grid::OccupancyGrid grid_;
   int wall_cells_;
   int outer_wall_cells_;
 };
 
 }  // namespace
 
-ParameterList parametersOf(OfficeBuildingOptions& options) {
+parameters::ParameterList parametersOf(OfficeBuildingOptions& options) {
   return {
       {"resolution", "m", "Edge length of a cell.", &options.resolution, 0.01, 0.1},
       {"length", "m", "Along x, outer walls included.", &options.length, 40.0, 200.0},
@@ -138,7 +138,7 @@ ParameterList parametersOf(OfficeBuildingOptions& options) {
   };
 }
 
-OccupancyGrid officeBuilding(const OfficeBuildingOptions& options) {
+grid::OccupancyGrid officeBuilding(const OfficeBuildingOptions& options) {
   const FloorPlan plan = drawFloorPlan(options);
   PlanPainter painter(plan, options);
   for (const Space& space : plan.spaces) {
@@ -160,4 +160,4 @@ OccupancyGrid officeBuilding(const OfficeBuildingOptions& options) {
   return painter.take();
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 namespace {
 
 constexpr double kLookahead = 0.6;        // [m] to the points that are pursued in a straight line, at most
@@ -25,7 +25,7 @@ PathFollower::PathFollower(const World& world, Path path) : world_(world), path_
 
 Velocity PathFollower::command(const DifferentialDrive& robot, double period, const std::vector<Mover>& others) {
   const RobotOptions& limits = robot.options();
-  const Rigid2& pose = robot.T_map_base();
+  const grid::Rigid2& pose = robot.T_map_base();
   advance(pose.translation());
   const double to_end = (path_.back() - pose.translation()).norm();
   arrived_ = to_end < kReach;
@@ -76,7 +76,7 @@ Eigen::Vector2d PathFollower::pointToPursue(const DifferentialDrive& robot, doub
 /// A point in the direction in which the robot gets past others.
 Eigen::Vector2d PathFollower::detour(const DifferentialDrive& robot, const std::vector<Mover>& others) const {
   const RobotOptions& limits = robot.options();
-  const Rigid2& pose = robot.T_map_base();
+  const grid::Rigid2& pose = robot.T_map_base();
   const Eigen::Vector2d position = pose.translation();
   const Eigen::Vector2d target = pointToPursue(robot, kDetourLookahead);
   const Eigen::Vector2d velocity = robot.velocity().linear * Eigen::Vector2d(std::cos(pose.yaw), std::sin(pose.yaw));
@@ -100,11 +100,11 @@ bool PathFollower::isClear(const Eigen::Vector2d& from, const Eigen::Vector2d& t
 /// of any room the robot may creep as long as the way straight ahead is clear.
 double PathFollower::safeSpeed(const DifferentialDrive& robot, double period) const {
   const RobotOptions& limits = robot.options();
-  const Rigid2& pose = robot.T_map_base();
+  const grid::Rigid2& pose = robot.T_map_base();
   const double room = world_.clearance(pose.translation()) - limits.radius - robot.velocity().linear * period;
   const double speed = std::sqrt(2.0 * kBraking * limits.max_acceleration * std::max(0.0, room));
   const bool may_creep = world_.isClear(pose * Eigen::Vector2d(kCreepWay, 0.0), limits.radius + kCreepMargin);
   return may_creep ? std::max(speed, kCreepSpeed) : speed;
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

@@ -14,7 +14,7 @@
 #include <string>
 #include <utility>
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 namespace {
 
 constexpr double kCellSize = 0.1;    // [m] of the planning grid, unless the map's cells are larger
@@ -23,7 +23,7 @@ constexpr float kDiscomfort = 4.0F;  // price of a way at the required clearance
 constexpr int kNearestCells = 2;     // [cells] how far a point's nearest cell to stand in may be
 
 /// The straight ones first; each diagonal one lies between those 4 and 3 places before it, as on a circle.
-constexpr std::array<Cell, 8> kNeighbours{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
+constexpr std::array<grid::Cell, 8> kNeighbours{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
 constexpr std::size_t kFirstDiagonal = 4;
 
 /// Cells to go on from, the one with the smallest estimate first, then that with the smallest index. Both are kept in
@@ -52,8 +52,8 @@ class OpenCells {
 };
 
 /// Planning cells that cover the grid.
-GridGeometry planningGeometry(const GridGeometry& grid) {
-  GridGeometry geometry = grid;
+grid::GridGeometry planningGeometry(const grid::GridGeometry& grid) {
+  grid::GridGeometry geometry = grid;
   geometry.resolution = std::max(kCellSize, grid.resolution);
   geometry.width = static_cast<int>(std::ceil(grid.width * grid.resolution / geometry.resolution));
   geometry.height = static_cast<int>(std::ceil(grid.height * grid.resolution / geometry.resolution));
@@ -61,7 +61,7 @@ GridGeometry planningGeometry(const GridGeometry& grid) {
 }
 
 /// Length of the shortest way between two cells where nothing is in the way [cells]: a lower bound of every cost.
-float octileDistance(const Cell& a, const Cell& b) {
+float octileDistance(const grid::Cell& a, const grid::Cell& b) {
   const auto dx = static_cast<float>(std::abs(a.x - b.x));
   const auto dy = static_cast<float>(std::abs(a.y - b.y));
   return std::max(dx, dy) + (std::sqrt(2.0F) - 1.0F) * std::min(dx, dy);
@@ -79,7 +79,7 @@ PathPlanner::PathPlanner(const World& world, double required_clearance)
   findPlaces();
 }
 
-Cell PathPlanner::cellOf(std::size_t index) const {
+grid::Cell PathPlanner::cellOf(std::size_t index) const {
   const auto width = static_cast<std::size_t>(geometry_.width);
   return {static_cast<int>(index % width), static_cast<int>(index / width)};
 }
@@ -113,23 +113,23 @@ void PathPlanner::findPlaces() {
     }
   }
   for (std::size_t i = 0; largest != 0 && i < costs_.size(); ++i) {
-    const Cell cell = cellOf(i);
+    const grid::Cell cell = cellOf(i);
     if (labels(cell.y, cell.x) == largest) {
       places_.push_back(geometry_.cellCentre(cell));
     }
   }
 }
 
-std::optional<Cell> PathPlanner::freeCellNear(const Eigen::Vector2d& p_map) const {
-  const Cell centre = geometry_.cellAt(p_map);
-  std::optional<Cell> nearest;
+std::optional<grid::Cell> PathPlanner::freeCellNear(const Eigen::Vector2d& p_map) const {
+  const grid::Cell centre = geometry_.cellAt(p_map);
+  std::optional<grid::Cell> nearest;
   // From nearer than the clearance the straight line to the cell is free.
   double nearest_distance = required_clearance_;
   for (int y = centre.y - kNearestCells; y <= centre.y + kNearestCells; ++y) {
     for (int x = centre.x - kNearestCells; x <= centre.x + kNearestCells; ++x) {
       const double distance = (geometry_.cellCentre({x, y}) - p_map).norm();
       if (isFree({x, y}) && distance < nearest_distance) {
-        nearest = Cell{x, y};
+        nearest = grid::Cell{x, y};
         nearest_distance = distance;
       }
     }
@@ -140,7 +140,8 @@ std::optional<Cell> PathPlanner::freeCellNear(const Eigen::Vector2d& p_map) cons
 /// A* from the start to the first goal that is found; `cost_to_go` is a lower bound of the cost from a cell to a goal.
 /// The start came from itself.
 template <typename IsGoal, typename CostToGo>
-PathPlanner::Search PathPlanner::explore(const Cell& start, const IsGoal& is_goal, const CostToGo& cost_to_go) const {
+PathPlanner::Search PathPlanner::explore(const grid::Cell& start, const IsGoal& is_goal,
+                                         const CostToGo& cost_to_go) const {
   std::vector<float> spent(costs_.size(), std::numeric_limits<float>::infinity());
   std::vector<std::uint32_t> came_from(costs_.size(), WayField::kNone);
   OpenCells open;
@@ -151,7 +152,7 @@ PathPlanner::Search PathPlanner::explore(const Cell& start, const IsGoal& is_goa
 
   while (!open.empty()) {
     const auto [estimate, index] = open.pop();
-    const Cell cell = cellOf(index);
+    const grid::Cell cell = cellOf(index);
     if (estimate > spent[index] + cost_to_go(cell)) {
       continue;  // a cheaper way to this cell was found after the entry was made
     }
@@ -163,7 +164,7 @@ PathPlanner::Search PathPlanner::explore(const Cell& start, const IsGoal& is_goa
       if (!may_step[k]) {
         continue;
       }
-      const Cell next{cell.x + kNeighbours[k].x, cell.y + kNeighbours[k].y};
+      const grid::Cell next{cell.x + kNeighbours[k].x, cell.y + kNeighbours[k].y};
       const auto next_index = static_cast<std::uint32_t>(indexOf(next));
       const float length = k < kFirstDiagonal ? 1.0F : std::sqrt(2.0F);
       const float cost = spent[index] + length * 0.5F * (costs_[index] + costs_[next_index]);
@@ -178,7 +179,7 @@ PathPlanner::Search PathPlanner::explore(const Cell& start, const IsGoal& is_goa
 }
 
 /// To which of kNeighbours one can go from a cell: a diagonal step must not cut a corner.
-std::array<bool, 8> PathPlanner::stepsFrom(const Cell& cell) const {
+std::array<bool, 8> PathPlanner::stepsFrom(const grid::Cell& cell) const {
   std::array<bool, 8> may_step{};
   for (std::size_t k = 0; k < kNeighbours.size(); ++k) {
     const bool is_open = k < kFirstDiagonal || (may_step[k - kFirstDiagonal] && may_step[(k + 1) % kFirstDiagonal]);
@@ -191,14 +192,14 @@ std::optional<Path> PathPlanner::plan(const Eigen::Vector2d& start, const Eigen:
   if (world_.clearance(start) <= 0.0 || !world_.isClear(goal, required_clearance_)) {
     return std::nullopt;
   }
-  const std::optional<Cell> first = freeCellNear(start);
-  const std::optional<Cell> last = freeCellNear(goal);
+  const std::optional<grid::Cell> first = freeCellNear(start);
+  const std::optional<grid::Cell> last = freeCellNear(goal);
   if (!first || !last) {
     return std::nullopt;
   }
   const Search found = explore(
-      *first, [&](const Cell& cell) { return cell == *last; },
-      [&](const Cell& cell) { return octileDistance(cell, *last); });
+      *first, [&](const grid::Cell& cell) { return cell == *last; },
+      [&](const grid::Cell& cell) { return octileDistance(cell, *last); });
   if (!found.reached) {
     return std::nullopt;
   }
@@ -210,12 +211,13 @@ std::optional<Path> PathPlanner::plan(const Eigen::Vector2d& start, const Eigen:
 
 std::optional<Path> PathPlanner::planToNearest(const Eigen::Vector2d& start,
                                                const std::function<bool(const Eigen::Vector2d&)>& is_goal) const {
-  const std::optional<Cell> first = freeCellNear(start);
+  const std::optional<grid::Cell> first = freeCellNear(start);
   if (!first) {
     return std::nullopt;
   }
   const Search found = explore(
-      *first, [&](const Cell& cell) { return is_goal(geometry_.cellCentre(cell)); }, [](const Cell&) { return 0.0F; });
+      *first, [&](const grid::Cell& cell) { return is_goal(geometry_.cellCentre(cell)); },
+      [](const grid::Cell&) { return 0.0F; });
   if (!found.reached) {
     return std::nullopt;
   }
@@ -224,7 +226,8 @@ std::optional<Path> PathPlanner::planToNearest(const Eigen::Vector2d& start,
   return path;
 }
 
-Path PathPlanner::pathTo(const Cell& reached, const Cell& first, const std::vector<std::uint32_t>& came_from) const {
+Path PathPlanner::pathTo(const grid::Cell& reached, const grid::Cell& first,
+                         const std::vector<std::uint32_t>& came_from) const {
   Path path;
   for (std::size_t index = indexOf(reached); index != indexOf(first); index = came_from[index]) {
     path.push_back(geometry_.cellCentre(cellOf(index)));
@@ -235,13 +238,13 @@ Path PathPlanner::pathTo(const Cell& reached, const Cell& first, const std::vect
 }
 
 WayField PathPlanner::waysTo(const Eigen::Vector2d& goal) const {
-  const std::optional<Cell> last = world_.isClear(goal, required_clearance_) ? freeCellNear(goal) : std::nullopt;
+  const std::optional<grid::Cell> last = world_.isClear(goal, required_clearance_) ? freeCellNear(goal) : std::nullopt;
   if (!last) {
     return WayField(geometry_, std::vector<std::uint32_t>(costs_.size(), WayField::kNone));
   }
   // A way costs the same in both directions.
   const Search found = explore(
-      *last, [](const Cell&) { return false; }, [](const Cell&) { return 0.0F; });
+      *last, [](const grid::Cell&) { return false; }, [](const grid::Cell&) { return 0.0F; });
   return WayField(geometry_, found.came_from);
 }
 
@@ -249,10 +252,10 @@ double PathPlanner::coveredArea() const {
   std::vector<bool> covered(costs_.size(), false);
   const auto reach = static_cast<int>(std::ceil(required_clearance_ / geometry_.resolution));
   for (const Eigen::Vector2d& place : places_) {
-    const Cell centre = geometry_.cellAt(place);
+    const grid::Cell centre = geometry_.cellAt(place);
     for (int y = -reach; y <= reach; ++y) {
       for (int x = -reach; x <= reach; ++x) {
-        const Cell cell{centre.x + x, centre.y + y};
+        const grid::Cell cell{centre.x + x, centre.y + y};
         if (geometry_.contains(cell) && std::hypot(x, y) * geometry_.resolution <= required_clearance_) {
           covered[indexOf(cell)] = true;
         }
@@ -263,4 +266,4 @@ double PathPlanner::coveredArea() const {
   return num_covered * geometry_.resolution * geometry_.resolution;
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

@@ -6,7 +6,7 @@
 
 #include "map_matcher/parameters/option_check.hpp"
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 namespace {
 
 constexpr double kPlanningMargin = 0.02;     // [m] that planned ways keep beyond the body
@@ -47,7 +47,7 @@ Eigen::Vector2d direction(double heading) { return {std::cos(heading), std::sin(
 
 /// A heading turned towards another by `largest` [rad] at most.
 double turnedTowards(double heading, double wanted, double largest) {
-  return normalizeAngle(heading + std::clamp(normalizeAngle(wanted - heading), -largest, largest));
+  return grid::normalizeAngle(heading + std::clamp(grid::normalizeAngle(wanted - heading), -largest, largest));
 }
 
 PlaceIndex indexOver(const std::vector<Eigen::Vector2d>& places) {
@@ -62,13 +62,13 @@ PlaceIndex indexOver(const std::vector<Eigen::Vector2d>& places) {
 
 const PedestrianOptions& checked(const PedestrianOptions& options) {
   PedestrianOptions copy = options;
-  throwIfAny(problemsOf(parametersOf(copy)));
+  parameters::throwIfAny(parameters::problemsOf(parametersOf(copy)));
   return options;
 }
 
 }  // namespace
 
-ParameterList parametersOf(PedestrianOptions& options) {
+parameters::ParameterList parametersOf(PedestrianOptions& options) {
   return {
       {"people", "", "People in the building; 0: as many as the density says.", &options.people, 0, 5000},
       {"density", "1/m^2", "People per area of free space, when people is 0.", &options.density, 0.0, 3.0},
@@ -135,7 +135,7 @@ bool Pedestrians::placeGroup(std::size_t size, const std::optional<Circle>& kept
     for (std::size_t k = 0; k < size; ++k) {
       const double angle = first + 2.0 * M_PI * static_cast<double>(k) / static_cast<double>(size);
       const double from_centre = ring * random_.uniform(0.9, 1.2);
-      const double heading = normalizeAngle(angle + M_PI + random_.uniform(-0.3, 0.3));
+      const double heading = grid::normalizeAngle(angle + M_PI + random_.uniform(-0.3, 0.3));
       placed = place(centre + from_centre * direction(angle), heading, true, kept_free) || placed;
     }
   }
@@ -335,4 +335,4 @@ void Pedestrians::updatePeople() {
   }
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

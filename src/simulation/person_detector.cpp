@@ -7,7 +7,7 @@
 #include "map_matcher/parameters/option_check.hpp"
 #include "map_matcher/simulation/place_index.hpp"
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 namespace {
 
 constexpr double kApart = 0.5;             // [m] between two detections, at least
@@ -37,17 +37,17 @@ double normalQuantile(double probability) {
 double logistic(double x) { return 1.0 / (1.0 + std::exp(-x)); }
 double logit(double p) { return std::log(p / (1.0 - p)); }
 
-bool isSurface(const OccupancyGrid& map, int x, int y) {
+bool isSurface(const grid::OccupancyGrid& map, int x, int y) {
   const auto is_free = [&](int free_x, int free_y) {
-    return map.geometry().contains({free_x, free_y}) && map.at(free_x, free_y) >= kFree &&
-           map.at(free_x, free_y) < kDefaultOccupiedThreshold;
+    return map.geometry().contains({free_x, free_y}) && map.at(free_x, free_y) >= grid::kFree &&
+           map.at(free_x, free_y) < grid::kDefaultOccupiedThreshold;
   };
-  return map.at(x, y) >= kDefaultOccupiedThreshold &&
+  return map.at(x, y) >= grid::kDefaultOccupiedThreshold &&
          (is_free(x - 1, y) || is_free(x + 1, y) || is_free(x, y - 1) || is_free(x, y + 1));
 }
 
 /// Whether a point of the lidar's frame [m] lies on what the scan shows.
-bool isOnSurface(const PlanarScan& scan, const Eigen::Vector2d& point) {
+bool isOnSurface(const scan::PlanarScan& scan, const Eigen::Vector2d& point) {
   const double ray = std::round((std::atan2(point.y(), point.x()) - scan.angle_min) / scan.angle_increment);
   if (ray < 0.0 || ray >= static_cast<double>(scan.ranges.size())) {
     return false;
@@ -57,7 +57,7 @@ bool isOnSurface(const PlanarScan& scan, const Eigen::Vector2d& point) {
 
 }  // namespace
 
-ParameterList parametersOf(PersonDetectorOptions& options) {
+parameters::ParameterList parametersOf(PersonDetectorOptions& options) {
   return {
       {"detector_recall", "", "Share of the people in sight who are detected.", &options.recall, 0.01, 0.99},
       {"detector_precision", "", "Share of the detections that are people.", &options.precision, 0.1, 1.0},
@@ -75,16 +75,16 @@ ParameterList parametersOf(PersonDetectorOptions& options) {
   };
 }
 
-PersonDetector::PersonDetector(const OccupancyGrid& map, const PersonDetectorOptions& options,
+PersonDetector::PersonDetector(const grid::OccupancyGrid& map, const PersonDetectorOptions& options,
                                const RandomNumbers& random)
     : options_(options), random_(random) {
-  throwIfAny(problemsOf(parametersOf(options_)));
+  parameters::throwIfAny(parameters::problemsOf(parametersOf(options_)));
   findSites(map);
 }
 
 /// Random places at the surfaces of walls and furniture.
-void PersonDetector::findSites(const OccupancyGrid& map) {
-  std::vector<Cell> cells;
+void PersonDetector::findSites(const grid::OccupancyGrid& map) {
+  std::vector<grid::Cell> cells;
   for (int y = 0; y < map.height(); ++y) {
     for (int x = 0; x < map.width(); ++x) {
       if (isSurface(map, x, y)) {
@@ -97,7 +97,7 @@ void PersonDetector::findSites(const OccupancyGrid& map) {
   PlaceIndex index({0.0, 0.0}, {map.width() * resolution, map.height() * resolution}, kSiteSpacing);
   for (std::size_t left = cells.size(); left > 0; --left) {
     const std::size_t drawn = random_.index(left);
-    const Cell cell = std::exchange(cells[drawn], cells[left - 1]);
+    const grid::Cell cell = std::exchange(cells[drawn], cells[left - 1]);
     const Eigen::Vector2d place((cell.x + 0.5) * resolution, (cell.y + 0.5) * resolution);
     const Eigen::Vector2d position = map.geometry().cellCentre(cell);
     bool is_apart = true;
@@ -128,13 +128,13 @@ void PersonDetector::drift(Impression& impression, double memory) {
 }
 
 std::optional<DetectedPeople> PersonDetector::detect(const LidarView& view, const std::vector<Person>& people,
-                                                     const Rigid2& T_map_lidar, double time) {
+                                                     const grid::Rigid2& T_map_lidar, double time) {
   constexpr double kRounding = 1e-6;  // [s] a scan that comes as the detector gets ready is taken
   if (last_time_ && time < *last_time_ + 1.0 / options_.rate - kRounding) {
     return std::nullopt;
   }
   driftAll(people.size(), time);
-  const Rigid2 T_lidar_map = T_map_lidar.inverse();
+  const grid::Rigid2 T_lidar_map = T_map_lidar.inverse();
   std::vector<Candidate> candidates = peopleIn(view, people, T_lidar_map);
   const std::size_t people_in_sight = candidates.size();
   const std::vector<Candidate> wrong = falseAlarmsIn(view.scan, T_lidar_map);
@@ -166,7 +166,7 @@ void PersonDetector::driftAll(std::size_t num_people, double time) {
 /// Everybody in sight, whatever the score.
 std::vector<PersonDetector::Candidate> PersonDetector::peopleIn(const LidarView& view,
                                                                 const std::vector<Person>& people,
-                                                                const Rigid2& T_lidar_map) const {
+                                                                const grid::Rigid2& T_lidar_map) const {
   // A score drifts about such a mean that it exceeds the threshold with the probability `recall`.
   const double mean = normalQuantile(options_.recall) + ease_;
   std::vector<Candidate> candidates;
@@ -180,8 +180,8 @@ std::vector<PersonDetector::Candidate> PersonDetector::peopleIn(const LidarView&
   return candidates;
 }
 
-std::vector<PersonDetector::Candidate> PersonDetector::falseAlarmsIn(const PlanarScan& scan,
-                                                                     const Rigid2& T_lidar_map) const {
+std::vector<PersonDetector::Candidate> PersonDetector::falseAlarmsIn(const scan::PlanarScan& scan,
+                                                                     const grid::Rigid2& T_lidar_map) const {
   std::vector<std::pair<Eigen::Vector2d, const Impression*>> in_sight;
   for (const Site& site : sites_) {
     const Eigen::Vector2d position = T_lidar_map * site.position;
@@ -243,4 +243,4 @@ void PersonDetector::adjust(std::size_t people_in_sight, const std::vector<Candi
   false_alarms_ = std::max(0.5 * options_.false_alarms, false_alarms_ + kFalseAlarmRate * period * lacking);
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

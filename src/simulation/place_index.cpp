@@ -1,6 +1,6 @@
 #include "map_matcher/simulation/place_index.hpp"
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 
 PlaceIndex::PlaceIndex(const Eigen::Vector2d& low, const Eigen::Vector2d& high, double bin_size)
     : low_(low),
@@ -19,4 +19,4 @@ void PlaceIndex::insert(std::size_t number, const Eigen::Vector2d& point) {
   bins_[indexOf(binOf(point))].push_back(number);
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

@@ -4,7 +4,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 namespace {
 
 /// One step of splitmix64 (Steele, Lea, Flood: "Fast splittable pseudorandom number generators", 2014): neighbouring
@@ -57,4 +57,4 @@ double RandomNumbers::gaussian() {
   return u * scale;
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 
 double separation(const Rectangle& a, const Rectangle& b) {
   const double apart_x = std::max(a.x_min - b.x_max, b.x_min - a.x_max);
@@ -10,4 +10,4 @@ double separation(const Rectangle& a, const Rectangle& b) {
   return std::max(apart_x, apart_y);
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

@@ -5,7 +5,7 @@
 
 #include "map_matcher/parameters/option_check.hpp"
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 namespace {
 
 constexpr double kStraight = 1e-9;  // [rad] arcs that turn less are driven as straight lines
@@ -16,7 +16,7 @@ double approach(double present, double wanted, double largest_change, double low
 }
 
 /// Motion along an arc of this length [m] and turn [rad], in the frame of its start.
-Rigid2 arc(double length, double turn) {
+grid::Rigid2 arc(double length, double turn) {
   if (std::abs(turn) < kStraight) {
     return {length, 0.0, turn};
   }
@@ -26,7 +26,7 @@ Rigid2 arc(double length, double turn) {
 
 }  // namespace
 
-ParameterList parametersOf(RobotOptions& options) {
+parameters::ParameterList parametersOf(RobotOptions& options) {
   return {
       {"radius", "m", "Circle around the base that holds the whole robot.", &options.radius, 0.01, 2.0},
       {"max_speed", "m/s", "Forward speed.", &options.max_speed, 0.05, 5.0},
@@ -36,9 +36,9 @@ ParameterList parametersOf(RobotOptions& options) {
   };
 }
 
-DifferentialDrive::DifferentialDrive(const RobotOptions& options, const Rigid2& T_map_base)
+DifferentialDrive::DifferentialDrive(const RobotOptions& options, const grid::Rigid2& T_map_base)
     : options_(options), T_map_base_(T_map_base) {
-  throwIfAny(problemsOf(parametersOf(options_)));
+  parameters::throwIfAny(parameters::problemsOf(parametersOf(options_)));
 }
 
 void DifferentialDrive::drive(const Velocity& commanded, double duration) {
@@ -49,7 +49,7 @@ void DifferentialDrive::drive(const Velocity& commanded, double duration) {
   T_map_base_ = T_map_base_ * arc(velocity_.linear * duration, velocity_.angular * duration);
 }
 
-ParameterList parametersOf(OdometryOptions& options) {
+parameters::ParameterList parametersOf(OdometryOptions& options) {
   return {
       {"alpha1", "", "Variance of a turn per squared turn.", &options.alpha1, 0.0, 1.0},
       {"alpha2", "rad^2/m^2", "Variance of a turn per squared distance.", &options.alpha2, 0.0, 1.0},
@@ -58,20 +58,20 @@ ParameterList parametersOf(OdometryOptions& options) {
   };
 }
 
-Odometry::Odometry(const OdometryOptions& options, const Rigid2& T_map_base, const RandomNumbers& noise)
+Odometry::Odometry(const OdometryOptions& options, const grid::Rigid2& T_map_base, const RandomNumbers& noise)
     : options_(options), noise_(noise), T_map_last_(T_map_base) {
-  throwIfAny(problemsOf(parametersOf(options_)));
+  parameters::throwIfAny(parameters::problemsOf(parametersOf(options_)));
 }
 
-void Odometry::read(const Rigid2& T_map_base) {
+void Odometry::read(const grid::Rigid2& T_map_base) {
   constexpr double kStandstill = 1e-9;  // [m] shorter ways have no direction
-  const Rigid2 motion = T_map_last_.inverse() * T_map_base;
+  const grid::Rigid2 motion = T_map_last_.inverse() * T_map_base;
   T_map_last_ = T_map_base;
 
   // Table 5.6 of Probabilistic Robotics, lines 2 to 7.
   const double distance = motion.translation().norm();
   const double turn1 = distance < kStandstill ? 0.0 : std::atan2(motion.y, motion.x);
-  const double turn2 = normalizeAngle(motion.yaw - turn1);
+  const double turn2 = grid::normalizeAngle(motion.yaw - turn1);
   const double squared_distance = distance * distance;
   const double squared_turn1 = turn1 * turn1;
   const double squared_turn2 = turn2 * turn2;
@@ -80,10 +80,10 @@ void Odometry::read(const Rigid2& T_map_base) {
       noisy(distance, options_.alpha3 * squared_distance + options_.alpha4 * (squared_turn1 + squared_turn2));
   const double read_turn2 = noisy(turn2, options_.alpha1 * squared_turn2 + options_.alpha2 * squared_distance);
 
-  T_odom_base_ = T_odom_base_ * Rigid2{read_distance * std::cos(read_turn1), read_distance * std::sin(read_turn1),
-                                       normalizeAngle(read_turn1 + read_turn2)};
+  T_odom_base_ = T_odom_base_ * grid::Rigid2{read_distance * std::cos(read_turn1), read_distance * std::sin(read_turn1),
+                                             grid::normalizeAngle(read_turn1 + read_turn2)};
 }
 
 double Odometry::noisy(double value, double variance) { return value + std::sqrt(variance) * noise_.gaussian(); }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

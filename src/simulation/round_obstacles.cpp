@@ -6,7 +6,7 @@
 
 #include "map_matcher/scan/beams_near.hpp"
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -31,10 +31,10 @@ double entryInto(const SeenCircle& circle, double angle) {
 
 }  // namespace
 
-RaysOnCircles castOnCircles(const std::vector<Circle>& circles, const Rigid2& T_map_lidar, const RayFan& fan,
+RaysOnCircles castOnCircles(const std::vector<Circle>& circles, const grid::Rigid2& T_map_lidar, const RayFan& fan,
                             const std::vector<double>& background) {
   RaysOnCircles nearest{background, std::vector<std::optional<std::size_t>>(background.size())};
-  const Rigid2 T_lidar_map = T_map_lidar.inverse();
+  const grid::Rigid2 T_lidar_map = T_map_lidar.inverse();
   const Eigen::Matrix2d rotation = T_lidar_map.rotation();
   for (std::size_t k = 0; k < circles.size(); ++k) {
     const Eigen::Vector2d centre = rotation * circles[k].centre + T_lidar_map.translation();
@@ -44,23 +44,23 @@ RaysOnCircles castOnCircles(const std::vector<Circle>& circles, const Rigid2& T_
     }
     const SeenCircle seen{distance, std::atan2(centre.y(), centre.x()), circles[k].radius};
     const double half_width = seen.distance > seen.radius ? std::asin(seen.radius / seen.distance) : M_PI;
-    visitBeamsNear(fan.angle_min, fan.angle_increment, background.size(), seen.bearing, half_width, 0.0,
-                   [&](const BeamRange& rays) {
-                     for (std::size_t i = rays.begin; i < rays.end; ++i) {
-                       const double entry =
-                           entryInto(seen, fan.angle_min + static_cast<double>(i) * fan.angle_increment);
-                       if (entry < nearest.distances[i]) {
-                         nearest.distances[i] = entry;
-                         nearest.circles[i] = k;
-                       }
-                     }
-                   });
+    scan::visitBeamsNear(fan.angle_min, fan.angle_increment, background.size(), seen.bearing, half_width, 0.0,
+                         [&](const scan::BeamRange& rays) {
+                           for (std::size_t i = rays.begin; i < rays.end; ++i) {
+                             const double entry =
+                                 entryInto(seen, fan.angle_min + static_cast<double>(i) * fan.angle_increment);
+                             if (entry < nearest.distances[i]) {
+                               nearest.distances[i] = entry;
+                               nearest.circles[i] = k;
+                             }
+                           }
+                         });
   }
   return nearest;
 }
 
-LidarView insertCircles(const PlanarScan& scan, const std::vector<Circle>& circles, const Rigid2& T_map_lidar,
-                        double sigma, RandomNumbers& noise) {
+LidarView insertCircles(const scan::PlanarScan& scan, const std::vector<Circle>& circles,
+                        const grid::Rigid2& T_map_lidar, double sigma, RandomNumbers& noise) {
   std::vector<double> background(scan.ranges.size(), kInfinity);
   for (std::size_t i = 0; i < background.size(); ++i) {
     const double range = scan.ranges[i];
@@ -82,4 +82,4 @@ LidarView insertCircles(const PlanarScan& scan, const std::vector<Circle>& circl
   return among;
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 namespace {
 
 constexpr double kReaction = 0.5;             // [s] that remain to a collision at least
@@ -132,4 +132,4 @@ Eigen::Vector2d steer(const World& world, const Mover& self, const Eigen::Vector
   return best;
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

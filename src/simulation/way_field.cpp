@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 namespace {
 
 constexpr int kNearestCells = 2;  // [cells] how far a point's nearest cell with a way may be
@@ -14,11 +14,11 @@ constexpr int kNearestCells = 2;  // [cells] how far a point's nearest cell with
 constexpr std::uint8_t kStay = 4;
 constexpr std::uint8_t kNoStep = 255;
 
-Cell after(const Cell& cell, std::uint8_t step) { return {cell.x + step % 3 - 1, cell.y + step / 3 - 1}; }
+grid::Cell after(const grid::Cell& cell, std::uint8_t step) { return {cell.x + step % 3 - 1, cell.y + step / 3 - 1}; }
 
 }  // namespace
 
-WayField::WayField(const GridGeometry& geometry, const std::vector<std::uint32_t>& next)
+WayField::WayField(const grid::GridGeometry& geometry, const std::vector<std::uint32_t>& next)
     : geometry_(geometry),
       map_from_grid_(geometry.T_map_grid.rotation()),
       T_grid_map_(geometry.T_map_grid.inverse()),
@@ -37,7 +37,7 @@ WayField::WayField(const GridGeometry& geometry, const std::vector<std::uint32_t
 std::vector<Eigen::Vector2d> WayField::ahead(const Eigen::Vector2d& p_map, double length) const {
   std::vector<Eigen::Vector2d> way;
   way.reserve(static_cast<std::size_t>(std::max(0.0, length / geometry_.resolution)) + 2);
-  std::optional<Cell> cell = cellNear(p_map);
+  std::optional<grid::Cell> cell = cellNear(p_map);
   while (cell) {
     way.push_back(centreOf(*cell));
     length -= way.size() > 1 ? (way.back() - way[way.size() - 2]).norm() : 0.0;
@@ -47,20 +47,22 @@ std::vector<Eigen::Vector2d> WayField::ahead(const Eigen::Vector2d& p_map, doubl
   return way;
 }
 
-std::optional<Cell> WayField::cellNear(const Eigen::Vector2d& p_map) const {
-  const auto leads_on = [&](const Cell& cell) { return geometry_.contains(cell) && steps_[indexOf(cell)] != kNoStep; };
+std::optional<grid::Cell> WayField::cellNear(const Eigen::Vector2d& p_map) const {
+  const auto leads_on = [&](const grid::Cell& cell) {
+    return geometry_.contains(cell) && steps_[indexOf(cell)] != kNoStep;
+  };
   const Eigen::Vector2d p_grid = (grid_from_map_ * p_map + T_grid_map_.translation()) / geometry_.resolution;
-  const Cell own{static_cast<int>(std::floor(p_grid.x())), static_cast<int>(std::floor(p_grid.y()))};
+  const grid::Cell own{static_cast<int>(std::floor(p_grid.x())), static_cast<int>(std::floor(p_grid.y()))};
   if (leads_on(own)) {
     return own;  // no other cell's centre is nearer
   }
-  std::optional<Cell> nearest;
+  std::optional<grid::Cell> nearest;
   double nearest_distance = std::numeric_limits<double>::infinity();
   for (int y = own.y - kNearestCells; y <= own.y + kNearestCells; ++y) {
     for (int x = own.x - kNearestCells; x <= own.x + kNearestCells; ++x) {
       const double distance = (centreOf({x, y}) - p_map).squaredNorm();
       if (leads_on({x, y}) && distance < nearest_distance) {
-        nearest = Cell{x, y};
+        nearest = grid::Cell{x, y};
         nearest_distance = distance;
       }
     }
@@ -68,14 +70,14 @@ std::optional<Cell> WayField::cellNear(const Eigen::Vector2d& p_map) const {
   return nearest;
 }
 
-std::size_t WayField::indexOf(const Cell& cell) const {
+std::size_t WayField::indexOf(const grid::Cell& cell) const {
   return static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(geometry_.width) +
          static_cast<std::size_t>(cell.x);
 }
 
-Eigen::Vector2d WayField::centreOf(const Cell& cell) const {
+Eigen::Vector2d WayField::centreOf(const grid::Cell& cell) const {
   const Eigen::Vector2d p_grid((cell.x + 0.5) * geometry_.resolution, (cell.y + 0.5) * geometry_.resolution);
   return map_from_grid_ * p_grid + geometry_.T_map_grid.translation();
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

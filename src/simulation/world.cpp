@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -24,7 +24,7 @@ constexpr float kLongestStride = 254.0F;
 
 /// The cells of a grid that `blocks` says are in the way, 0 as distanceTransform wants them, within a border of such.
 template <typename Predicate>
-cv::Mat1b blockedMask(const OccupancyGrid& grid, const Predicate& blocks) {
+cv::Mat1b blockedMask(const grid::OccupancyGrid& grid, const Predicate& blocks) {
   cv::Mat1b mask(grid.height() + 2, grid.width() + 2, std::uint8_t{0});
   for (int y = 0; y < grid.height(); ++y) {
     std::uint8_t* row = mask.ptr<std::uint8_t>(y + 1) + 1;
@@ -52,7 +52,7 @@ double exitOf(double origin, double direction, int cell) {
 
 }  // namespace
 
-World::World(const OccupancyGrid& grid, std::int8_t occupied_threshold)
+World::World(const grid::OccupancyGrid& grid, std::int8_t occupied_threshold)
     : geometry_(grid.geometry()),
       T_grid_map_(geometry_.T_map_grid.inverse()),
       rotation_(T_grid_map_.rotation()),
@@ -65,7 +65,7 @@ World::World(const OccupancyGrid& grid, std::int8_t occupied_threshold)
   measureFreeSpace(grid, occupied_threshold);
 }
 
-void World::measureStrides(const OccupancyGrid& grid, std::int8_t occupied_threshold) {
+void World::measureStrides(const grid::OccupancyGrid& grid, std::int8_t occupied_threshold) {
   const auto is_solid = [=](std::int8_t value) { return value >= occupied_threshold; };
   const cv::Mat1f distances = distancesToBlocked(blockedMask(grid, is_solid));
   strides_.assign(distances.total(), kOutside);
@@ -80,8 +80,8 @@ void World::measureStrides(const OccupancyGrid& grid, std::int8_t occupied_thres
   }
 }
 
-void World::measureFreeSpace(const OccupancyGrid& grid, std::int8_t occupied_threshold) {
-  const auto is_blocked = [=](std::int8_t value) { return value == kUnknown || value >= occupied_threshold; };
+void World::measureFreeSpace(const grid::OccupancyGrid& grid, std::int8_t occupied_threshold) {
+  const auto is_blocked = [=](std::int8_t value) { return value == grid::kUnknown || value >= occupied_threshold; };
   const cv::Mat1f distances = distancesToBlocked(blockedMask(grid, is_blocked));
   free_space_.assign(distances.begin(), distances.end());
 }
@@ -167,4 +167,4 @@ bool World::isClear(const Eigen::Vector2d& p_map, double radius) const {
   return true;
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 namespace {
 
 bool keepsOff(const std::vector<Eigen::Vector2d>& way, const Circle& person, const DifferentialDrive& robot) {
@@ -37,4 +37,4 @@ Velocity yieldTo(const std::vector<Circle>& people, const DifferentialDrive& rob
   return {};
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

@@ -59,7 +59,7 @@ struct Argument<double> {
                ? std::optional<double>(value)
                : std::nullopt;
   }
-  static std::string text(double value) { return numberText(value); }
+  static std::string text(double value) { return parameters::numberText(value); }
 };
 
 template <>

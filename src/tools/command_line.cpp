@@ -136,7 +136,7 @@ std::string Option::expectation() const {
     expected += (expected.empty() ? "" : " or ") + choice;
   }
   if (range_) {
-    expected = numberText(range_->first) + " to " + numberText(range_->second);
+    expected = parameters::numberText(range_->first) + " to " + parameters::numberText(range_->second);
   }
   if (expected.empty()) {
     expected = expectedFor(target_);
@@ -201,10 +201,10 @@ Option& CommandLine::add(const std::string& name, const OptionTarget& target, co
   return options_.emplace_back(name, target, help);
 }
 
-void CommandLine::addParameters(const ParameterList& parameters) {
-  for (const Parameter& parameter : parameters) {
+void CommandLine::addParameters(const parameters::ParameterList& parameters) {
+  for (const parameters::Parameter& parameter : parameters) {
     const std::string unit = parameter.unit.empty() ? "" : " " + parameter.unit;
-    const std::string help = parameter.description + " [" + rangeText(parameter) + unit + "]";
+    const std::string help = parameter.description + " [" + parameters::rangeText(parameter) + unit + "]";
     std::visit([&](auto* value) { add(optionName(parameter.name), value, help); }, parameter.value);
   }
 }
@@ -229,7 +229,7 @@ bool CommandLine::parse(int argc, char** argv) {
       problems.push_back(option->take(argument.value));
       follows_unknown = false;
     } else if (!argument.string_key.empty()) {
-      const std::optional<std::string> nearest = nearestName(name, names);
+      const std::optional<std::string> nearest = parameters::nearestName(name, names);
       problems.push_back("there is no option " + name + (nearest ? "; did you mean " + *nearest + "?" : ""));
       follows_unknown = true;
     } else if (!follows_unknown) {  // it may be the unknown option's value

@@ -79,7 +79,7 @@ class CommandLine {
 
   /// Adds an option "--some-name" for each parameter "some_name", with its meaning, unit, range and default in the
   /// help.
-  void addParameters(const ParameterList& parameters);
+  void addParameters(const parameters::ParameterList& parameters);
 
   /// Reads the arguments. False when there is nothing to do but to print help(). Throws ArgumentError.
   bool parse(int argc, char** argv);

@@ -8,7 +8,7 @@
 namespace map_matcher::tools {
 DriveArguments::DriveArguments(int argc, char** argv) {
   if (firstValueOf("--robot", argc, argv) == "pepper") {
-    equipAsPepper(drive_);
+    simulation::equipAsPepper(drive_);
   }
 }
 
@@ -33,14 +33,14 @@ void DriveArguments::describe(CommandLine& command_line) {
   command_line.addParameters(parametersOf(drive_));
 }
 
-OccupancyGrid DriveArguments::map() const {
-  OfficeBuildingOptions building;
+grid::OccupancyGrid DriveArguments::map() const {
+  simulation::OfficeBuildingOptions building;
   building.seed = building_seed_;
-  return map_.empty() ? officeBuilding(building) : loadMap(map_);
+  return map_.empty() ? simulation::officeBuilding(building) : grid::loadMap(map_);
 }
 
-DriveOptions DriveArguments::options() const {
-  DriveOptions options = drive_;
+simulation::DriveOptions DriveArguments::options() const {
+  simulation::DriveOptions options = drive_;
   if (!start_.empty()) {
     options.start = {start_[0], start_[1], start_[2]};
   }

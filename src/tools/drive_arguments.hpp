@@ -27,10 +27,10 @@ class DriveArguments {
   void addFiles(FileRoles& files) const { files.readsMap("--map", map_); }
 
   /// The map to drive in. Throws as loadMap().
-  OccupancyGrid map() const;
+  grid::OccupancyGrid map() const;
 
   /// Throws std::invalid_argument for arguments that contradict each other.
-  DriveOptions options() const;
+  simulation::DriveOptions options() const;
 
  private:
   std::string map_;
@@ -39,7 +39,7 @@ class DriveArguments {
   std::string itinerary_;
   std::vector<double> start_;
   std::vector<double> waypoints_;
-  DriveOptions drive_;
+  simulation::DriveOptions drive_;
 };
 
 }  // namespace map_matcher::tools

@@ -17,7 +17,7 @@ namespace {
 constexpr int kEndedBySignal = 128;  // and its number, as a shell has it
 
 extern "C" void endOnSignal(int signal) {
-  removePendingFiles();
+  files::removePendingFiles();
   _exit(kEndedBySignal + signal);
 }
 

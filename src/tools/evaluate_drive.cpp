@@ -8,40 +8,40 @@
 #include "command_line.hpp"
 #include "drive_arguments.hpp"
 #include "file_roles.hpp"
-#include "map_matcher/evaluation/monte_carlo_trial.hpp"
 #include "map_matcher/evaluation/overlay_image.hpp"
-#include "map_matcher/evaluation/simulated_trial.hpp"
-#include "map_matcher/evaluation/trial_table.hpp"
-#include "map_matcher/evaluation/truth_fit.hpp"
 #include "map_matcher/files/output_file.hpp"
 #include "map_matcher/grid/map_file.hpp"
 #include "map_matcher/parameters/yaml_parameters.hpp"
-#include "map_matcher/ros/bag_session_maps.hpp"
-#include "map_matcher/ros/bag_trial.hpp"
-#include "map_matcher/ros/lidar_scrubber_server_options.hpp"
-#include "map_matcher/ros/map_matcher_server_options.hpp"
-#include "map_matcher/ros/session_mapper_server_options.hpp"
+#include "map_matcher/ros/mapping/session_mapper_server_options.hpp"
+#include "map_matcher/ros/matching/map_matcher_server_options.hpp"
+#include "map_matcher/ros/scrubbing/lidar_scrubber_server_options.hpp"
+#include "map_matcher/ros/trials/bag_session_maps.hpp"
+#include "map_matcher/ros/trials/bag_trial.hpp"
+#include "map_matcher/trials/monte_carlo_trial.hpp"
+#include "map_matcher/trials/simulated_trial.hpp"
+#include "map_matcher/trials/trial_table.hpp"
+#include "map_matcher/trials/truth_fit.hpp"
 
 namespace {
 
-using map_matcher::OccupancyGrid;
-using map_matcher::SessionMatching;
-using map_matcher::Trial;
-using map_matcher::TrialOptions;
-using map_matcher::TrialQuery;
+using map_matcher::grid::OccupancyGrid;
+using map_matcher::trials::SessionMatching;
+using map_matcher::trials::Trial;
+using map_matcher::trials::TrialOptions;
+using map_matcher::trials::TrialQuery;
 
 struct Arguments {
   Arguments(int argc, char** argv) : drive(argc, argv) {}
 
   map_matcher::tools::DriveArguments drive;
-  map_matcher::BagTrialRequest recorded;
+  map_matcher::ros_trials::BagTrialRequest recorded;
   std::string session_maps;
   std::string reference;
   std::string config;
   std::string mapper_config;
   std::string scrubber_config;
   std::string monte_carlo_config;
-  TrialOptions trial;
+  trials::TrialOptions trial;
   std::string output;
   std::string monte_carlo;
   std::string session;
@@ -50,32 +50,32 @@ struct Arguments {
   std::string last_overlay;
 };
 
-TrialOptions readOptions(const Arguments& arguments) {
-  TrialOptions options = arguments.trial;
+trials::TrialOptions readOptions(const Arguments& arguments) {
+  trials::TrialOptions options = arguments.trial;
   if (!arguments.config.empty()) {
-    map_matcher::MapMatcherServerOptions matcher;
-    loadYamlParameters(arguments.config, parametersOf(matcher));
+    map_matcher::ros_matching::MapMatcherServerOptions matcher;
+    parameters::loadYamlParameters(arguments.config, parametersOf(matcher));
     options.match = matcher.match;
   }
   if (!arguments.mapper_config.empty()) {
-    map_matcher::SessionMapperServerOptions mapper;
-    loadYamlParameters(arguments.mapper_config, parametersOf(mapper));
+    map_matcher::ros_mapping::SessionMapperServerOptions mapper;
+    parameters::loadYamlParameters(arguments.mapper_config, parametersOf(mapper));
     options.mapper = mapper.mapping.mapper;
     options.map_update_interval = mapper.mapping.map_update_interval;
   }
   if (!arguments.scrubber_config.empty()) {
-    map_matcher::LidarScrubberServerOptions scrubber;
-    loadYamlParameters(arguments.scrubber_config, parametersOf(scrubber));
+    map_matcher::ros_scrubbing::LidarScrubberServerOptions scrubber;
+    parameters::loadYamlParameters(arguments.scrubber_config, parametersOf(scrubber));
     options.scrubbing = scrubber.scrubbing;
     options.detection_wait = scrubber.mode == "synchronised" ? scrubber.sync_timeout : 0.0;
   }
   return options;
 }
 
-map_matcher::MonteCarloOptions monteCarloOptions(const Arguments& arguments) {
-  map_matcher::MonteCarloOptions options;
+map_matcher::localization::MonteCarloOptions monteCarloOptions(const Arguments& arguments) {
+  map_matcher::localization::MonteCarloOptions options;
   if (!arguments.monte_carlo_config.empty()) {
-    loadYamlParameters(arguments.monte_carlo_config, parametersOf(options));
+    parameters::loadYamlParameters(arguments.monte_carlo_config, parametersOf(options));
   }
   options.seed = arguments.drive.options().seed;
   return options;
@@ -85,21 +85,21 @@ bool isRecorded(const Arguments& arguments) { return !arguments.recorded.bag.emp
 
 void warn(const std::string& text) { std::cerr << "evaluate_drive: warning: " << text << '\n'; }
 
-void simulate(const OccupancyGrid& map, const Arguments& arguments, Trial& trial) {
-  map_matcher::DriveSimulation simulation(map, arguments.drive.options());
+void simulate(const grid::OccupancyGrid& map, const Arguments& arguments, trials::Trial& trial) {
+  map_matcher::simulation::DriveSimulation simulation(map, arguments.drive.options());
   while (const auto step = simulation.next()) {
-    for (const auto& detections : trialDetectionsOf(*step)) {
+    for (const auto& detections : trials::trialDetectionsOf(*step)) {
       trial.add(detections);
     }
-    trial.add(trialStepOf(*step, simulation.lidarPoses()));
+    trial.add(trials::trialStepOf(*step, simulation.lidarPoses()));
   }
 }
 
-void printSummary(const std::vector<TrialQuery>& queries) {
+void printSummary(const std::vector<trials::TrialQuery>& queries) {
   int matched = 0;
   int right = 0;
-  std::optional<TrialQuery> first;
-  for (const TrialQuery& query : queries) {
+  std::optional<trials::TrialQuery> first;
+  for (const trials::TrialQuery& query : queries) {
     const auto error = query.robotError();
     matched += query.result.matched() ? 1 : 0;
     right += error && error->translation < 1.0 ? 1 : 0;
@@ -116,23 +116,24 @@ void printSummary(const std::vector<TrialQuery>& queries) {
 }
 
 /// The session map in the frame of the truth, where it really lies.
-OccupancyGrid placed(const OccupancyGrid& session, const TrialQuery& query) {
+grid::OccupancyGrid placed(const grid::OccupancyGrid& session, const trials::TrialQuery& query) {
   if (!query.true_alignment) {
     throw std::invalid_argument("--place-session is given, but the drive has no true poses");
   }
-  map_matcher::GridGeometry geometry = session.geometry();
+  map_matcher::grid::GridGeometry geometry = session.geometry();
   geometry.T_map_grid = *query.true_alignment * geometry.T_map_grid;
   return {geometry, session.values()};
 }
 
 bool hasPeople(const Arguments& arguments) {
-  const map_matcher::PedestrianOptions people = arguments.drive.options().pedestrians;
+  const map_matcher::simulation::PedestrianOptions people = arguments.drive.options().pedestrians;
   return people.people != 0 || people.density != 0.0;
 }
 
 /// The people who are to be put into the scans of a recorded drive; null for nobody.
-std::unique_ptr<map_matcher::InsertedCrowd> crowdFor(const Arguments& arguments, const OccupancyGrid& map) {
-  const map_matcher::DriveOptions drive = arguments.drive.options();
+std::unique_ptr<map_matcher::simulation::InsertedCrowd> crowdFor(const Arguments& arguments,
+                                                                 const grid::OccupancyGrid& map) {
+  const map_matcher::simulation::DriveOptions drive = arguments.drive.options();
   if (!hasPeople(arguments)) {
     return nullptr;
   }
@@ -141,19 +142,19 @@ std::unique_ptr<map_matcher::InsertedCrowd> crowdFor(const Arguments& arguments,
         "--people or --density is given with --bag but without --truth, expected the topic of the robot's true poses, "
         "among which people are to walk");
   }
-  return std::make_unique<map_matcher::InsertedCrowd>(
-      map, map_matcher::InsertedCrowdOptions{drive.seed, drive.pedestrians, drive.detector, drive.robot.radius,
-                                             drive.lidar.sigma});
+  return std::make_unique<map_matcher::simulation::InsertedCrowd>(
+      map, map_matcher::simulation::InsertedCrowdOptions{drive.seed, drive.pedestrians, drive.detector,
+                                                         drive.robot.radius, drive.lidar.sigma});
 }
 
-void playRecorded(const Arguments& arguments, const OccupancyGrid& map, Trial& trial) {
+void playRecorded(const Arguments& arguments, const grid::OccupancyGrid& map, trials::Trial& trial) {
   if (readOptions(arguments).detection_wait > 0.0 && !arguments.recorded.detection_topics.empty()) {
     warn(
         "mode is synchronised, but scans do not wait for recorded detections, which apply to later scans as with "
         "cached");
   }
-  const std::unique_ptr<map_matcher::InsertedCrowd> crowd = crowdFor(arguments, map);
-  const map_matcher::BagTrialResult played = playBag(arguments.recorded, trial, crowd.get());
+  const std::unique_ptr<map_matcher::simulation::InsertedCrowd> crowd = crowdFor(arguments, map);
+  const map_matcher::ros_trials::BagTrialResult played = ros_trials::playBag(arguments.recorded, trial, crowd.get());
   if (played.scans_left_out > 0 || played.detections_left_out > 0) {
     warn(std::to_string(played.scans_left_out) + " of " + std::to_string(played.scans) + " scans and " +
          std::to_string(played.detections_left_out) + " messages of detections left out: " + played.last_problem);
@@ -165,16 +166,17 @@ void playRecorded(const Arguments& arguments, const OccupancyGrid& map, Trial& t
 }
 
 /// Takes the drive through the trial, and what is compared with it.
-void play(const Arguments& arguments, const OccupancyGrid& map, const OccupancyGrid& reference, Trial& trial) {
-  std::optional<map_matcher::MonteCarloTrial> monte_carlo;
+void play(const Arguments& arguments, const grid::OccupancyGrid& map, const grid::OccupancyGrid& reference,
+          trials::Trial& trial) {
+  std::optional<map_matcher::trials::MonteCarloTrial> monte_carlo;
   if (!arguments.monte_carlo.empty()) {
     monte_carlo.emplace(reference, monteCarloOptions(arguments));
   }
-  std::optional<map_matcher::TruthFit> fit;
+  std::optional<map_matcher::trials::TruthFit> fit;
   if (isRecorded(arguments) && !hasPeople(arguments)) {  // simulated people are no walls, and simulated truth is true
     fit.emplace(reference);
   }
-  trial.onMoment([&](const map_matcher::TrialMoment& moment) {
+  trial.onMoment([&](const map_matcher::trials::TrialMoment& moment) {
     if (fit) {
       fit->add(moment);
     }
@@ -191,46 +193,48 @@ void play(const Arguments& arguments, const OccupancyGrid& map, const OccupancyG
     warn(*problem);
   }
   if (monte_carlo) {
-    map_matcher::writeFile(arguments.monte_carlo, toCsv(monte_carlo->rows()));
+    map_matcher::files::writeFile(arguments.monte_carlo, trials::toCsv(monte_carlo->rows()));
   }
 }
 
 /// Matches the session maps that a mapper drew while the bag was recorded.
-void matchRecorded(const Arguments& arguments, SessionMatching& matching) {
-  const map_matcher::BagTrialRequest& recorded = arguments.recorded;
-  const map_matcher::BagSessionMapsResult result =
-      matchSessionMaps({recorded.bag, arguments.session_maps, recorded.truth_topic, recorded.truth_frame,
-                        recorded.odom_frame, recorded.base_frame},
-                       matching);
+void matchRecorded(const Arguments& arguments, trials::SessionMatching& matching) {
+  const map_matcher::ros_trials::BagTrialRequest& recorded = arguments.recorded;
+  const map_matcher::ros_trials::BagSessionMapsResult result =
+      ros_trials::matchSessionMaps({recorded.bag, arguments.session_maps, recorded.truth_topic, recorded.truth_frame,
+                                    recorded.odom_frame, recorded.base_frame},
+                                   matching);
   if (result.maps_left_out > 0) {
     warn(std::to_string(result.maps_left_out) + " of " + std::to_string(result.maps) +
          " session maps left out: " + result.last_problem);
   }
 }
 
-void drawFirstMatch(const Arguments& arguments, const OccupancyGrid& reference, SessionMatching& matching) {
+void drawFirstMatch(const Arguments& arguments, const grid::OccupancyGrid& reference,
+                    trials::SessionMatching& matching) {
   if (arguments.first_overlay.empty()) {
     return;
   }
-  matching.onFirstMatch([&](const OccupancyGrid& session, const map_matcher::Rigid2& T_reference_session) {
-    map_matcher::writeOverlayImage(arguments.first_overlay, reference, session, T_reference_session);
+  matching.onFirstMatch([&](const grid::OccupancyGrid& session, const map_matcher::grid::Rigid2& T_reference_session) {
+    map_matcher::evaluation::writeOverlayImage(arguments.first_overlay, reference, session, T_reference_session);
   });
 }
 
 /// `session`: the session map at the end of the drive.
-void writeResults(const Arguments& arguments, const OccupancyGrid& reference, const SessionMatching& matching,
-                  const std::optional<OccupancyGrid>& session) {
-  map_matcher::writeFile(arguments.output, toCsv(matching.queries()));
+void writeResults(const Arguments& arguments, const grid::OccupancyGrid& reference,
+                  const trials::SessionMatching& matching, const std::optional<grid::OccupancyGrid>& session) {
+  map_matcher::files::writeFile(arguments.output, trials::toCsv(matching.queries()));
   printSummary(matching.queries());
   if (matching.queries().empty()) {
     return;
   }
-  const TrialQuery& last = matching.queries().back();
+  const trials::TrialQuery& last = matching.queries().back();
   if (session && !arguments.session.empty()) {
-    saveMap(arguments.place_session ? placed(*session, last) : *session, arguments.session);
+    grid::saveMap(arguments.place_session ? placed(*session, last) : *session, arguments.session);
   }
   if (!arguments.last_overlay.empty()) {
-    map_matcher::writeOverlayImage(arguments.last_overlay, reference, *matching.lastMap(), last.alignment());
+    map_matcher::evaluation::writeOverlayImage(arguments.last_overlay, reference, *matching.lastMap(),
+                                               last.alignment());
   }
 }
 
@@ -256,20 +260,22 @@ void evaluate(const Arguments& arguments) {
   if (isRecorded(arguments) && arguments.reference.empty()) {
     throw std::invalid_argument("--bag is given without --reference, expected the YAML file of its map");
   }
-  const OccupancyGrid map = isRecorded(arguments) ? map_matcher::loadMap(arguments.reference) : arguments.drive.map();
-  const OccupancyGrid reference = arguments.reference.empty() ? map : map_matcher::loadMap(arguments.reference);
-  const TrialOptions options = readOptions(arguments);
+  const grid::OccupancyGrid map =
+      isRecorded(arguments) ? map_matcher::grid::loadMap(arguments.reference) : arguments.drive.map();
+  const grid::OccupancyGrid reference =
+      arguments.reference.empty() ? map : map_matcher::grid::loadMap(arguments.reference);
+  const trials::TrialOptions options = readOptions(arguments);
   if (!arguments.session_maps.empty()) {
     if (hasPeople(arguments)) {
       throw std::invalid_argument("--people or --density is given with --session-maps, in which no one can be put");
     }
-    SessionMatching matching(reference, options.match);
+    trials::SessionMatching matching(reference, options.match);
     drawFirstMatch(arguments, reference, matching);
     matchRecorded(arguments, matching);
     writeResults(arguments, reference, matching, matching.lastMap());
     return;
   }
-  Trial trial(reference, options);
+  trials::Trial trial(reference, options);
   drawFirstMatch(arguments, reference, trial.matching());
   play(arguments, map, reference, trial);
   writeResults(arguments, reference, trial.matching(), trial.sessionMap());
@@ -277,7 +283,7 @@ void evaluate(const Arguments& arguments) {
 
 void describeRecorded(map_matcher::tools::CommandLine& command_line, Arguments& arguments,
                       const std::vector<const map_matcher::tools::Option*>& for_scans) {
-  map_matcher::BagTrialRequest& recorded = arguments.recorded;
+  map_matcher::ros_trials::BagTrialRequest& recorded = arguments.recorded;
   const auto& bag = command_line.add("--bag", &recorded.bag, "recorded drive to use instead of a simulated one");
   const auto& scan =
       command_line.add("--scan", &recorded.scan_topic, "its topic of scans; default: the only one").needs(bag);

@@ -26,7 +26,7 @@ FileRoles& FileRoles::writes(const std::string& option, const std::string& path)
 FileRoles& FileRoles::readsMap(const std::string& option, const std::string& yaml_path) {
   if (!yaml_path.empty()) {
     add(read_, option, yaml_path);
-    add(read_, "the image of " + option, imageNamedBy(yaml_path));
+    add(read_, "the image of " + option, grid::imageNamedBy(yaml_path));
   }
   return *this;
 }
@@ -34,7 +34,7 @@ FileRoles& FileRoles::readsMap(const std::string& option, const std::string& yam
 FileRoles& FileRoles::writesMap(const std::string& option, const std::string& yaml_path) {
   if (!yaml_path.empty()) {
     add(written_, option, yaml_path);
-    add(written_, "the image of " + option, imageWrittenWith(yaml_path));
+    add(written_, "the image of " + option, grid::imageWrittenWith(yaml_path));
   }
   return *this;
 }
@@ -43,7 +43,7 @@ void FileRoles::requireDistinct() const {
   std::vector<Named> others = read_;
   for (const Named& file : written_) {
     for (const Named& other : others) {
-      if (isSameFile(file.path, other.path)) {
+      if (files::isSameFile(file.path, other.path)) {
         throw std::invalid_argument(file.option + " is '" + file.path + "', the same file as " + other.option + ", '" +
                                     other.path + "'; expected another file");
       }

@@ -13,7 +13,7 @@ int main(int argc, char** argv) {
       "generate_building",
       "Generates the map of an office floor: the same seed gives the same floor at every resolution.",
       "Exit status: 0 written, 2 bad input.");
-  map_matcher::OfficeBuildingOptions options;
+  map_matcher::simulation::OfficeBuildingOptions options;
   std::string output;
   command_line.add("--output", &output, "YAML file to write; a PGM image of the same name is written beside it")
       .required();
@@ -21,8 +21,8 @@ int main(int argc, char** argv) {
   command_line.addParameters(parametersOf(options));
   return map_matcher::tools::run(command_line, argc, argv, [&] {
     map_matcher::tools::FileRoles().writesMap("--output", output).requireDistinct();
-    const map_matcher::OccupancyGrid building = map_matcher::officeBuilding(options);
-    map_matcher::saveMap(building, output);
+    const map_matcher::grid::OccupancyGrid building = map_matcher::simulation::officeBuilding(options);
+    map_matcher::grid::saveMap(building, output);
     std::cout << output << ": " << building.width() << " x " << building.height() << " cells of "
               << building.resolution() << " m, seed " << options.seed << '\n';
     return map_matcher::tools::kDone;

@@ -13,41 +13,42 @@
 #include "map_matcher/grid/map_file.hpp"
 #include "map_matcher/grid/occupied_cells.hpp"
 #include "map_matcher/parameters/yaml_parameters.hpp"
-#include "map_matcher/ros/bag_mapping.hpp"
-#include "map_matcher/ros/session_mapper_server_options.hpp"
+#include "map_matcher/ros/mapping/session_mapper_server_options.hpp"
+#include "map_matcher/ros/trials/bag_mapping.hpp"
 
 namespace {
 
-using map_matcher::BagMappingRequest;
-using map_matcher::BagMappingResult;
-using map_matcher::SessionSnapshot;
+using map_matcher::ros_mapping::SessionSnapshot;
+using map_matcher::ros_trials::BagMappingRequest;
+using map_matcher::ros_trials::BagMappingResult;
 
 struct Arguments {
-  BagMappingRequest request;
+  ros_trials::BagMappingRequest request;
   std::string output = "session.yaml";
   std::string trajectory;
   std::string config;
 };
 
 /// Options from the configuration file; throws std::invalid_argument with every problem in it.
-map_matcher::SessionMappingOptions readOptions(const std::string& config) {
-  map_matcher::SessionMapperServerOptions options;
+map_matcher::ros_mapping::SessionMappingOptions readOptions(const std::string& config) {
+  map_matcher::ros_mapping::SessionMapperServerOptions options;
   if (!config.empty()) {
-    loadYamlParameters(config, parametersOf(options));
+    parameters::loadYamlParameters(config, parametersOf(options));
   }
   return options.mapping;
 }
 
-void writeTrajectory(const std::string& path, const std::vector<map_matcher::StampedPose>& trajectory) {
+void writeTrajectory(const std::string& path, const std::vector<map_matcher::evaluation::StampedPose>& trajectory) {
   std::ostringstream table;
   table << "time,x,y,yaw\n" << std::setprecision(15);
   for (const auto& [time, pose] : trajectory) {
     table << time << ',' << pose.x << ',' << pose.y << ',' << pose.yaw << '\n';
   }
-  map_matcher::writeFile(path, table.str());
+  map_matcher::files::writeFile(path, table.str());
 }
 
-void printSummary(const BagMappingResult& result, const SessionSnapshot& last, const std::string& output) {
+void printSummary(const ros_trials::BagMappingResult& result, const ros_mapping::SessionSnapshot& last,
+                  const std::string& output) {
   std::cout << result.scan_topic << ": " << result.scans << " scans, " << result.scans_drawn << " drawn, "
             << result.scans_not_fitting << " did not fit, " << result.scans_without_tf << " without tf, "
             << result.scans_refused << " refused\n";
@@ -55,8 +56,8 @@ void printSummary(const BagMappingResult& result, const SessionSnapshot& last, c
     std::cout << "last problem: " << result.last_problem << '\n';
   }
   std::cout << output << ": " << last.map.width() << " x " << last.map.height() << " cells of " << last.map.resolution()
-            << " m, " << occupiedCells(last.map).size() << " occupied, as of " << (last.stamp - result.begin).toSec()
-            << " s\n";
+            << " m, " << grid::occupiedCells(last.map).size() << " occupied, as of "
+            << (last.stamp - result.begin).toSec() << " s\n";
 }
 
 void drawBag(Arguments& arguments) {
@@ -67,10 +68,10 @@ void drawBag(Arguments& arguments) {
       .writes("--trajectory", arguments.trajectory)
       .requireDistinct();
   arguments.request.options = readOptions(arguments.config);
-  std::optional<SessionSnapshot> last;
-  const BagMappingResult result =
-      mapBag(arguments.request, [&last](const SessionSnapshot& snapshot) { last = snapshot; });
-  map_matcher::saveMap(last->map, arguments.output);
+  std::optional<ros_mapping::SessionSnapshot> last;
+  const ros_trials::BagMappingResult result =
+      ros_trials::mapBag(arguments.request, [&last](const ros_mapping::SessionSnapshot& snapshot) { last = snapshot; });
+  map_matcher::grid::saveMap(last->map, arguments.output);
   if (!arguments.trajectory.empty()) {
     writeTrajectory(arguments.trajectory, result.path);
   }
@@ -78,7 +79,7 @@ void drawBag(Arguments& arguments) {
 }
 
 void describe(map_matcher::tools::CommandLine& command_line, Arguments& arguments) {
-  BagMappingRequest& request = arguments.request;
+  ros_trials::BagMappingRequest& request = arguments.request;
   command_line.add("--bag", &request.bag, "bag with scans, /tf and perhaps /tf_static").required();
   command_line.add("--scan", &request.scan_topic, "topic of the scans; default: the only one in the bag");
   command_line.add("--from", &request.from, "leave out what comes before [s since the bag begins]");

@@ -15,9 +15,9 @@
 
 namespace {
 
-using map_matcher::MapQuality;
-using map_matcher::OccupancyGrid;
-using map_matcher::Rigid2;
+using map_matcher::evaluation::MapQuality;
+using map_matcher::grid::OccupancyGrid;
+using map_matcher::grid::Rigid2;
 
 constexpr int kNoMatch = 1;  // exit status
 
@@ -29,10 +29,10 @@ struct Arguments {
   std::string overlay;
 };
 
-std::optional<Rigid2> matchedPose(const OccupancyGrid& truth, const OccupancyGrid& session) {
-  map_matcher::MapMatcher matcher;
+std::optional<grid::Rigid2> matchedPose(const grid::OccupancyGrid& truth, const grid::OccupancyGrid& session) {
+  map_matcher::search::MapMatcher matcher;
   matcher.setReference(truth);
-  const map_matcher::MatchResult result = matcher.match(session);
+  const map_matcher::search::MatchResult result = matcher.match(session);
   if (!result.matched()) {
     std::cout << toString(result.status) << ": " << result.reason << '\n';
     return std::nullopt;
@@ -40,7 +40,7 @@ std::optional<Rigid2> matchedPose(const OccupancyGrid& truth, const OccupancyGri
   return result.T_reference_session;
 }
 
-void print(const MapQuality& quality, const Rigid2& T_true_session, double tolerance) {
+void print(const evaluation::MapQuality& quality, const grid::Rigid2& T_true_session, double tolerance) {
   const auto row = [&quality](const char* name, int cells) {
     std::cout << std::left << std::setw(20) << name << cells << " cells ("
               << 100.0 * cells / std::max(1, quality.occupied) << " %)\n";
@@ -60,20 +60,20 @@ int compare(const Arguments& arguments) {
       .readsMap("--session", arguments.session)
       .writes("--overlay", arguments.overlay)
       .requireDistinct();
-  const OccupancyGrid truth = map_matcher::loadMap(arguments.truth);
-  const OccupancyGrid session = map_matcher::loadMap(arguments.session);
-  std::optional<Rigid2> pose;
+  const grid::OccupancyGrid truth = map_matcher::grid::loadMap(arguments.truth);
+  const grid::OccupancyGrid session = map_matcher::grid::loadMap(arguments.session);
+  std::optional<grid::Rigid2> pose;
   if (arguments.pose.empty()) {
     pose = matchedPose(truth, session);
   } else {
-    pose = Rigid2{arguments.pose[0], arguments.pose[1], arguments.pose[2]};
+    pose = grid::Rigid2{arguments.pose[0], arguments.pose[1], arguments.pose[2]};
   }
   if (!pose) {
     return kNoMatch;
   }
-  print(mapQuality(truth, session, *pose, arguments.tolerance), *pose, arguments.tolerance);
+  print(evaluation::mapQuality(truth, session, *pose, arguments.tolerance), *pose, arguments.tolerance);
   if (!arguments.overlay.empty()) {
-    map_matcher::writeOverlayImage(arguments.overlay, truth, session, pose);
+    map_matcher::evaluation::writeOverlayImage(arguments.overlay, truth, session, pose);
   }
   return map_matcher::tools::kDone;
 }

@@ -11,16 +11,16 @@
 #include "map_matcher/files/output_file.hpp"
 #include "map_matcher/grid/map_file.hpp"
 #include "map_matcher/parameters/yaml_parameters.hpp"
-#include "map_matcher/ros/map_matcher_server_options.hpp"
+#include "map_matcher/ros/matching/map_matcher_server_options.hpp"
 #include "map_matcher/search/map_matcher.hpp"
 
 namespace {
 
-using map_matcher::MatchOptions;
-using map_matcher::MatchResult;
-using map_matcher::OccupancyGrid;
-using map_matcher::Rigid2;
-using map_matcher::StageReport;
+using map_matcher::grid::OccupancyGrid;
+using map_matcher::grid::Rigid2;
+using map_matcher::search::MatchOptions;
+using map_matcher::search::MatchResult;
+using map_matcher::search::StageReport;
 
 constexpr int kNoMatch = 1;  // exit status
 
@@ -33,7 +33,7 @@ struct Arguments {
   std::string overlay;
 };
 
-nlohmann::json toJson(const StageReport& stage) {
+nlohmann::json toJson(const search::StageReport& stage) {
   return {{"name", stage.name},
           {"answered", stage.answered},
           {"resolution", stage.resolution},
@@ -49,11 +49,11 @@ nlohmann::json toJson(const StageReport& stage) {
           {"depth_first_search_time", stage.depth_first_search_time}};
 }
 
-nlohmann::json toJson(const MatchResult& result) {
+nlohmann::json toJson(const search::MatchResult& result) {
   nlohmann::json json{{"status", toString(result.status)}, {"reason", result.reason}};
   json["transform"] = nullptr;
   if (result.matched()) {
-    const Rigid2& T = result.T_reference_session;
+    const grid::Rigid2& T = result.T_reference_session;
     json["transform"] = {{"x", T.x}, {"y", T.y}, {"yaw", T.yaw}};
   }
   json["searched"] = nullptr;
@@ -71,48 +71,48 @@ nlohmann::json toJson(const MatchResult& result) {
   json["upper_bound"] = result.upper_bound;
   json["candidate"] = nullptr;
   if (result.matched() || result.hit_cells > 0) {
-    const Rigid2& T = result.T_reference_session;
+    const grid::Rigid2& T = result.T_reference_session;
     const double ratio = result.hit_cells > 0 ? result.hit_ratio : result.ratio;
     json["candidate"] = {{"x", T.x}, {"y", T.y}, {"yaw", T.yaw}, {"ratio", ratio}};
   }
   json["runner_up"] = nullptr;
   if (result.runner_up) {
-    const Rigid2& T = result.runner_up->T_reference_session;
+    const grid::Rigid2& T = result.runner_up->T_reference_session;
     json["runner_up"] = {{"x", T.x}, {"y", T.y}, {"yaw", T.yaw}, {"ratio", result.runner_up->ratio}};
   }
   json["margin"] = result.margin;
   json["search_time"] = result.search_time;
   json["reference_time"] = result.reference_time;
   json["stages"] = nlohmann::json::array();
-  for (const StageReport& stage : result.stages) {
+  for (const search::StageReport& stage : result.stages) {
     json["stages"].push_back(toJson(stage));
   }
   return json;
 }
 
-void writeJson(const std::string& path, const MatchResult& result) {
+void writeJson(const std::string& path, const search::MatchResult& result) {
   const std::string text = toJson(result).dump(2) + '\n';
   if (path == "-") {
     std::cout << text;
   } else {
-    map_matcher::writeFile(path, text);
+    map_matcher::files::writeFile(path, text);
   }
 }
 
-void printSummary(const MatchResult& result) {
+void printSummary(const search::MatchResult& result) {
   std::cout << toString(result.status) << ": " << result.reason << '\n';
   if (result.matched()) {
-    const Rigid2& T = result.T_reference_session;
+    const grid::Rigid2& T = result.T_reference_session;
     std::cout << "T_reference_session: x " << T.x << " m, y " << T.y << " m, yaw " << T.yaw << " rad\n"
               << "ratio " << result.ratio << " (" << result.matched_cells << " of " << result.total_cells
               << " session cells)\n";
   }
   if (result.total_cells > 0 && result.hit_cells > 0) {
     std::cout << "hit ratio " << result.hit_ratio << ", " << (result.certified ? "certified" : "not certified")
-              << ", upper bound " << result.upper_bound << ", margin " << (result.runner_up && result.runner_up_proven ? "" : "at least ")
-              << result.margin << '\n';
+              << ", upper bound " << result.upper_bound << ", margin "
+              << (result.runner_up && result.runner_up_proven ? "" : "at least ") << result.margin << '\n';
   }
-  for (const StageReport& stage : result.stages) {
+  for (const search::StageReport& stage : result.stages) {
     std::cout << stage.name << " stage: " << stage.resolution << " m, " << stage.rotations << " rotations, ratio "
               << stage.ratio << ", " << stage.nodes_scored << " nodes scored, "
               << 1e3 * (stage.initialization_time + stage.rotation_expansion_time + stage.depth_first_search_time)
@@ -122,10 +122,10 @@ void printSummary(const MatchResult& result) {
 }
 
 /// Options from the configuration file, which is the node's, and from the command line.
-MatchOptions readOptions(const Arguments& arguments) {
-  map_matcher::MapMatcherServerOptions options;
+search::MatchOptions readOptions(const Arguments& arguments) {
+  map_matcher::ros_matching::MapMatcherServerOptions options;
   if (!arguments.config.empty()) {
-    loadYamlParameters(arguments.config, parametersOf(options));
+    parameters::loadYamlParameters(arguments.config, parametersOf(options));
   }
   if (!arguments.search.empty()) {
     options.match.search = arguments.search;
@@ -141,12 +141,12 @@ int matchMaps(const Arguments& arguments) {
       .writes("--json", arguments.json)
       .writes("--overlay", arguments.overlay)
       .requireDistinct();
-  const MatchOptions options = readOptions(arguments);
-  map_matcher::MapMatcher matcher(options);
-  const OccupancyGrid reference = map_matcher::loadMap(arguments.reference);
-  const OccupancyGrid session = map_matcher::loadMap(arguments.session);
+  const search::MatchOptions options = readOptions(arguments);
+  map_matcher::search::MapMatcher matcher(options);
+  const grid::OccupancyGrid reference = map_matcher::grid::loadMap(arguments.reference);
+  const grid::OccupancyGrid session = map_matcher::grid::loadMap(arguments.session);
   matcher.setReference(reference);
-  const MatchResult result = matcher.match(session);
+  const search::MatchResult result = matcher.match(session);
   if (arguments.json != "-") {
     printSummary(result);
   }
@@ -154,9 +154,9 @@ int matchMaps(const Arguments& arguments) {
     writeJson(arguments.json, result);
   }
   if (!arguments.overlay.empty()) {
-    const auto pose = result.matched() ? std::optional<Rigid2>(result.T_reference_session) : std::nullopt;
-    map_matcher::writeOverlayImage(arguments.overlay, reference, session, pose,
-                                   static_cast<std::int8_t>(options.occupied_threshold));
+    const auto pose = result.matched() ? std::optional<grid::Rigid2>(result.T_reference_session) : std::nullopt;
+    map_matcher::evaluation::writeOverlayImage(arguments.overlay, reference, session, pose,
+                                               static_cast<std::int8_t>(options.occupied_threshold));
   }
   return result.matched() ? map_matcher::tools::kDone : kNoMatch;
 }

@@ -10,15 +10,15 @@
 #include "file_roles.hpp"
 #include "map_matcher/parameters/option_check.hpp"
 #include "map_matcher/parameters/yaml_parameters.hpp"
-#include "map_matcher/ros/bag_scrubbing.hpp"
+#include "map_matcher/ros/bags/bag_scrubbing.hpp"
 
 namespace {
 
-using map_matcher::BagScrubbingRequest;
-using map_matcher::BagScrubbingResult;
+using map_matcher::ros_bags::BagScrubbingRequest;
+using map_matcher::ros_bags::BagScrubbingResult;
 
 struct Arguments {
-  BagScrubbingRequest request;
+  ros_bags::BagScrubbingRequest request;
   std::vector<std::string> detections;
   std::string mode;
   std::string config;
@@ -32,20 +32,21 @@ std::string share(std::int64_t part, std::int64_t whole) {
   return text.str();
 }
 
-void printSummary(const BagScrubbingRequest& request, const BagScrubbingResult& result) {
+void printSummary(const ros_bags::BagScrubbingRequest& request, const ros_bags::BagScrubbingResult& result) {
   std::cout << result.scan_topic << ": " << result.scans << " scans, " << result.scans_changed << " changed, "
             << result.scans_too_much << " left as they were since too much would have gone, " << result.scans_dropped
             << " dropped, " << result.scans_timed_out << " waited in vain\n"
             << "detections used        " << result.detections << '\n'
             << "placed                 ";
-  for (const map_matcher::PosePath path : {map_matcher::PosePath::kFixedFrame, map_matcher::PosePath::kNewest,
-                                           map_matcher::PosePath::kSensorFrame, map_matcher::PosePath::kNone}) {
-    std::cout << (path == map_matcher::PosePath::kFixedFrame ? "" : ", ")
+  for (const map_matcher::scrubbing::PosePath path :
+       {map_matcher::scrubbing::PosePath::kFixedFrame, map_matcher::scrubbing::PosePath::kNewest,
+        map_matcher::scrubbing::PosePath::kSensorFrame, map_matcher::scrubbing::PosePath::kNone}) {
+    std::cout << (path == map_matcher::scrubbing::PosePath::kFixedFrame ? "" : ", ")
               << result.paths[static_cast<std::size_t>(path)] << ' ' << toString(path);
   }
   std::cout << "\npoints removed         " << share(result.removed, result.points) << '\n';
   if (!request.people_topic.empty()) {
-    const map_matcher::PeopleCount& people = result.people;
+    const map_matcher::ros_bags::PeopleCount& people = result.people;
     std::cout << "scans with people      " << people.scans << ", " << people.people << " people\n"
               << "points near them left  " << share(people.near_left, people.near) << '\n'
               << "other points lost      " << share(people.others_lost, people.others) << '\n';
@@ -64,9 +65,9 @@ void scrub(Arguments& arguments) {
       .reads("--config", arguments.config)
       .writes("--output", arguments.request.output)
       .requireDistinct();
-  map_matcher::LidarScrubberServerOptions& options = arguments.request.options;
+  map_matcher::ros_scrubbing::LidarScrubberServerOptions& options = arguments.request.options;
   if (!arguments.config.empty()) {
-    loadYamlParameters(arguments.config, parametersOf(options));
+    parameters::loadYamlParameters(arguments.config, parametersOf(options));
   }
   if (!arguments.detections.empty()) {
     options.detection_topics = arguments.detections;
@@ -74,12 +75,12 @@ void scrub(Arguments& arguments) {
   if (!arguments.mode.empty()) {
     options.mode = arguments.mode;
   }
-  map_matcher::throwIfAny(problemsOf(parametersOf(options)));
-  printSummary(arguments.request, scrubBag(arguments.request));
+  map_matcher::parameters::throwIfAny(parameters::problemsOf(parametersOf(options)));
+  printSummary(arguments.request, ros_bags::scrubBag(arguments.request));
 }
 
 void describe(map_matcher::tools::CommandLine& command_line, Arguments& arguments) {
-  BagScrubbingRequest& request = arguments.request;
+  ros_bags::BagScrubbingRequest& request = arguments.request;
   command_line.add("--bag", &request.bag, "bag with scans, detections and perhaps tf").required();
   command_line.add("--scan", &request.scan_topic, "topic of the scans; default: the only one in the bag");
   command_line.add("--detections", &arguments.detections,

@@ -7,14 +7,14 @@
 #include "command_line.hpp"
 #include "drive_arguments.hpp"
 #include "file_roles.hpp"
-#include "map_matcher/ros/drive_bag.hpp"
+#include "map_matcher/ros/simulation/drive_bag.hpp"
 #include "map_matcher/simulation/drive.hpp"
 
 namespace {
 
-using map_matcher::DriveOptions;
-using map_matcher::DriveSimulation;
-using map_matcher::DriveStep;
+using map_matcher::simulation::DriveOptions;
+using map_matcher::simulation::DriveSimulation;
+using map_matcher::simulation::DriveStep;
 
 struct Arguments {
   map_matcher::tools::DriveArguments drive;
@@ -24,7 +24,7 @@ struct Arguments {
 /// What was driven.
 class Summary {
  public:
-  void add(const DriveStep& step) {
+  void add(const simulation::DriveStep& step) {
     if (num_steps_ == 0) {
       start_ = step.T_map_base;
       num_people_ = step.people.size();
@@ -36,7 +36,7 @@ class Summary {
     last_.time = step.time;
   }
 
-  void print(const std::string& bag, const DriveSimulation& simulation) const {
+  void print(const std::string& bag, const simulation::DriveSimulation& simulation) const {
     std::cout << bag << ": " << num_steps_ * simulation.lidarPoses().size() << " scans in " << last_.time << " s, "
               << length_ << " m driven from (" << start_.x << ", " << start_.y << ", " << start_.yaw << "), "
               << simulation.visited().size() << " waypoints reached";
@@ -50,19 +50,20 @@ class Summary {
   std::size_t num_steps_ = 0;
   std::size_t num_people_ = 0;
   double length_ = 0.0;  // [m]
-  map_matcher::Rigid2 start_;
-  DriveStep last_;
+  map_matcher::grid::Rigid2 start_;
+  simulation::DriveStep last_;
 };
 
 void simulate(const Arguments& arguments) {
   map_matcher::tools::FileRoles files;
   arguments.drive.addFiles(files);
   files.writes("--bag", arguments.bag).requireDistinct();
-  const DriveOptions options = arguments.drive.options();
-  DriveSimulation simulation(arguments.drive.map(), options);
-  map_matcher::DriveMessageOptions bag_options;
+  const simulation::DriveOptions options = arguments.drive.options();
+  simulation::DriveSimulation simulation(arguments.drive.map(), options);
+  map_matcher::ros_simulation::DriveMessageOptions bag_options;
   bag_options.score_threshold = options.detector.score_threshold;
-  map_matcher::DriveBagWriter bag(arguments.bag, {simulation.lidarPoses(), 1.0 / options.rate}, bag_options);
+  map_matcher::ros_simulation::DriveBagWriter bag(arguments.bag, {simulation.lidarPoses(), 1.0 / options.rate},
+                                                  bag_options);
   Summary summary;
   while (const auto step = simulation.next()) {
     bag.write(*step);

@@ -5,10 +5,10 @@
 #include "map_matcher/evaluation/map_quality.hpp"
 #include "support/ascii_map.hpp"
 
-namespace map_matcher {
+namespace map_matcher::evaluation {
 namespace {
 
-OccupancyGrid trueMap() {
+grid::OccupancyGrid trueMap() {
   return test::asciiMap({"########??",  //
                          "#......#??",  //
                          "#......#??",  //
@@ -17,11 +17,11 @@ OccupancyGrid trueMap() {
 }
 
 TEST(MapQuality, TellsWallsFromWhatStandsInFreeSpace) {
-  const OccupancyGrid session = test::asciiMap({"#.......#?",  //
-                                                "#.......??",  //
-                                                "#..#....??",  //
-                                                "########??"},
-                                               0.1);
+  const grid::OccupancyGrid session = test::asciiMap({"#.......#?",  //
+                                                      "#.......??",  //
+                                                      "#..#....??",  //
+                                                      "########??"},
+                                                     0.1);
 
   const MapQuality quality = mapQuality(trueMap(), session, {}, 0.0);
 
@@ -32,14 +32,14 @@ TEST(MapQuality, TellsWallsFromWhatStandsInFreeSpace) {
 }
 
 TEST(MapQuality, ForgivesWhatIsWithinTheTolerance) {
-  const OccupancyGrid session = test::asciiMap({"..........", ".#........", "...#......", ".........."}, 0.1);
+  const grid::OccupancyGrid session = test::asciiMap({"..........", ".#........", "...#......", ".........."}, 0.1);
 
   EXPECT_EQ(mapQuality(trueMap(), session, {}, 0.05).falsely_occupied, 2);
   EXPECT_EQ(mapQuality(trueMap(), session, {}, 0.1).falsely_occupied, 0);
 }
 
 TEST(MapQuality, PlacesTheSessionMapAtItsPose) {
-  const OccupancyGrid session = test::asciiMap({"#"}, 0.1);  // a cell with its centre at (0.05, 0.05)
+  const grid::OccupancyGrid session = test::asciiMap({"#"}, 0.1);  // a cell with its centre at (0.05, 0.05)
 
   EXPECT_EQ(mapQuality(trueMap(), session, {0.3, 0.2, 0.0}, 0.0).falsely_occupied, 1);
   EXPECT_EQ(mapQuality(trueMap(), session, {0.4, 0.0, M_PI_2}, 0.0).on_walls, 1);
@@ -47,4 +47,4 @@ TEST(MapQuality, PlacesTheSessionMapAtItsPose) {
 }
 
 }  // namespace
-}  // namespace map_matcher
+}  // namespace map_matcher::evaluation

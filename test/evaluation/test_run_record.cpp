@@ -10,7 +10,7 @@
 #include "map_matcher/evaluation/run_record.hpp"
 #include "support/temporary_dir.hpp"
 
-namespace map_matcher {
+namespace map_matcher::evaluation {
 namespace {
 
 using testing::ElementsAre;
@@ -26,7 +26,7 @@ std::vector<std::string> linesOf(const std::string& path) {
 }
 
 const RunRow kLost{{1000.25, {1.0, 2.0, 0.5}, std::nullopt}, std::nullopt, std::nullopt};
-const RunRow kLocalized{{1000.5, {1.0, 2.0, 0.5}, Rigid2{1.0, 2.25, 0.25}}, Rigid2{10.0, -20.0, 3.0}, 0.75};
+const RunRow kLocalized{{1000.5, {1.0, 2.0, 0.5}, grid::Rigid2{1.0, 2.25, 0.25}}, grid::Rigid2{10.0, -20.0, 3.0}, 0.75};
 
 TEST(RunRecord, WritesEachMomentAsItComesAndLeavesEmptyWhatIsNotKnown) {
   const test::TemporaryDir dir;
@@ -102,4 +102,4 @@ TEST(RunSummary, IsNullWhereThereWasNoEstimate) {
 }
 
 }  // namespace
-}  // namespace map_matcher
+}  // namespace map_matcher::evaluation

@@ -4,7 +4,7 @@
 
 #include "map_matcher/evaluation/trajectory_error.hpp"
 
-namespace map_matcher {
+namespace map_matcher::evaluation {
 namespace {
 
 TEST(ErrorOf, IsTheDistanceAndTheSmallestAngle) {
@@ -43,9 +43,9 @@ TEST(StatisticsOf, AnOddNumberHaveTheMiddleOneAsMedian) {
 TEST(EvaluateTrajectory, LeavesSamplesWithoutEstimateOutOfTheErrorsButCountsThem) {
   const std::vector<PoseSample> samples = {
       {10.0, {0.0, 0.0, 0.0}, std::nullopt},
-      {11.5, {1.0, 0.0, 0.0}, Rigid2{1.0, 0.3, 0.1}},
+      {11.5, {1.0, 0.0, 0.0}, grid::Rigid2{1.0, 0.3, 0.1}},
       {12.0, {2.0, 0.0, 0.0}, std::nullopt},
-      {13.0, {3.0, 0.0, 0.0}, Rigid2{3.1, 0.0, -0.2}},
+      {13.0, {3.0, 0.0, 0.0}, grid::Rigid2{3.1, 0.0, -0.2}},
   };
 
   const TrajectoryError error = evaluateTrajectory(samples);
@@ -74,4 +74,4 @@ TEST(EvaluateTrajectory, HasNoFiguresWhenThereIsNoEstimate) {
 TEST(EvaluateTrajectory, TakesNoSamples) { EXPECT_EQ(evaluateTrajectory({}).samples, 0); }
 
 }  // namespace
-}  // namespace map_matcher
+}  // namespace map_matcher::evaluation

@@ -15,7 +15,7 @@
 #include "support/temporary_dir.hpp"
 #include "support/thrown_text.hpp"
 
-namespace map_matcher {
+namespace map_matcher::files {
 namespace {
 
 namespace fs = std::filesystem;
@@ -165,4 +165,4 @@ TEST_F(OutputFileTest, IsTheSameByWhateverName) {
 }
 
 }  // namespace
-}  // namespace map_matcher
+}  // namespace map_matcher::files

@@ -7,7 +7,7 @@
 #include "support/temporary_dir.hpp"
 #include "support/thrown_text.hpp"
 
-namespace map_matcher {
+namespace map_matcher::grid {
 namespace {
 
 using test::TemporaryDir;
@@ -165,4 +165,4 @@ TEST(LoadMap, NamesAMapFileThatDoesNotExist) {
 }
 
 }  // namespace
-}  // namespace map_matcher
+}  // namespace map_matcher::grid

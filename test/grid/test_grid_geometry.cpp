@@ -8,7 +8,7 @@
 
 #include "map_matcher/grid/grid_geometry.hpp"
 
-namespace map_matcher {
+namespace map_matcher::grid {
 namespace {
 
 TEST(GridGeometry, PutsTheFirstCellsCornerAtTheOrigin) {
@@ -87,4 +87,4 @@ TEST(GridGeometry, NamesWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace map_matcher
+}  // namespace map_matcher::grid

@@ -10,7 +10,7 @@
 #include "support/ascii_map.hpp"
 #include "support/temporary_dir.hpp"
 
-namespace map_matcher {
+namespace map_matcher::grid {
 namespace {
 
 using test::asciiMap;
@@ -231,4 +231,4 @@ TEST(SaveMap, SaysWhatCannotBeWritten) {
 }
 
 }  // namespace
-}  // namespace map_matcher
+}  // namespace map_matcher::grid

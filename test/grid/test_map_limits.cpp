@@ -7,7 +7,7 @@
 #include "map_matcher/grid/map_limits.hpp"
 #include "support/thrown_text.hpp"
 
-namespace map_matcher {
+namespace map_matcher::grid {
 namespace {
 
 TEST(MapLimits, LeaveRoomForEveryBuilding) {
@@ -34,4 +34,4 @@ TEST(MapLimits, NameTheFieldItsValueAndWhatWasExpected) {
 }
 
 }  // namespace
-}  // namespace map_matcher
+}  // namespace map_matcher::grid

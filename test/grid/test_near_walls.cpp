@@ -6,7 +6,7 @@
 #include "map_matcher/grid/near_walls.hpp"
 #include "support/ascii_map.hpp"
 
-namespace map_matcher {
+namespace map_matcher::grid {
 namespace {
 
 /// A wall from x = 0.4 to 0.5 m, 0.7 m high; unknown at the right.
@@ -54,4 +54,4 @@ TEST(NearWalls, RefuseADistanceThatIsNone) {
 }
 
 }  // namespace
-}  // namespace map_matcher
+}  // namespace map_matcher::grid

@@ -7,7 +7,7 @@
 #include "map_matcher/grid/occupancy_grid.hpp"
 #include "support/ascii_map.hpp"
 
-namespace map_matcher {
+namespace map_matcher::grid {
 namespace {
 
 using test::asciiMap;
@@ -75,4 +75,4 @@ TEST(AsciiMap, DrawsTheTopRowFirst) {
 }
 
 }  // namespace
-}  // namespace map_matcher
+}  // namespace map_matcher::grid

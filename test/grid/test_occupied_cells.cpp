@@ -6,7 +6,7 @@
 #include "map_matcher/grid/occupied_cells.hpp"
 #include "support/ascii_map.hpp"
 
-namespace map_matcher {
+namespace map_matcher::grid {
 namespace {
 
 using test::asciiMap;
@@ -47,4 +47,4 @@ TEST(OccupiedCells, NeedAThresholdThatFreeAndUnknownCellsStayBelow) {
 }
 
 }  // namespace
-}  // namespace map_matcher
+}  // namespace map_matcher::grid

@@ -12,7 +12,7 @@
 #include "map_matcher/grid/resample.hpp"
 #include "support/ascii_map.hpp"
 
-namespace map_matcher {
+namespace map_matcher::grid {
 namespace {
 
 using test::asciiMap;
@@ -167,4 +167,4 @@ TEST_P(ResampleProperty, TheGridIsCoveredWithLessThanACellToSpare) {
 INSTANTIATE_TEST_SUITE_P(Seeds, ResampleProperty, testing::Range(1U, 101U));
 
 }  // namespace
-}  // namespace map_matcher
+}  // namespace map_matcher::grid

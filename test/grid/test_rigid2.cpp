@@ -7,7 +7,7 @@
 
 #include "map_matcher/grid/rigid2.hpp"
 
-namespace map_matcher {
+namespace map_matcher::grid {
 namespace {
 
 constexpr double kTolerance = 1e-12;
@@ -88,4 +88,4 @@ TEST(Rigid2, HasAnOrthonormalRotation) {
 }
 
 }  // namespace
-}  // namespace map_matcher
+}  // namespace map_matcher::grid

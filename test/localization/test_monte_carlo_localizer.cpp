@@ -11,27 +11,27 @@
 #include "support/drives.hpp"
 #include "support/thrown_text.hpp"
 
-namespace map_matcher {
+namespace map_matcher::localization {
 namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
 
 /// Three rooms none of which is like another, or like itself when it is turned.
-OccupancyGrid building() {
-  return resample(test::asciiMap({"####################",  //
-                                  "#.......#..........#",  //
-                                  "#..................#",  //
-                                  "#.##....#......###.#",  //
-                                  "#.##....#......###.#",  //
-                                  "#.......#..........#",  //
-                                  "####..#####...######",  //
-                                  "#.............#....#",  //
-                                  "#.....##...........#",  //
-                                  "#..........#..#....#",  //
-                                  "####################"},
-                                 0.5),
-                  0.05);
+grid::OccupancyGrid building() {
+  return grid::resample(test::asciiMap({"####################",  //
+                                        "#.......#..........#",  //
+                                        "#..................#",  //
+                                        "#.##....#......###.#",  //
+                                        "#.##....#......###.#",  //
+                                        "#.......#..........#",  //
+                                        "####..#####...######",  //
+                                        "#.............#....#",  //
+                                        "#.....##...........#",  //
+                                        "#..........#..#....#",  //
+                                        "####################"},
+                                       0.5),
+                        0.05);
 }
 
 MonteCarloOptions quickOptions() {
@@ -40,26 +40,26 @@ MonteCarloOptions quickOptions() {
   return options;
 }
 
-const Drive& drive() {
-  static const Drive driven = [] {
-    DriveOptions options = test::shortDrive(3);
+const simulation::Drive& drive() {
+  static const simulation::Drive driven = [] {
+    simulation::DriveOptions options = test::shortDrive(3);
     options.duration = 40.0;
     options.rate = 5.0;
     options.lidar.beams = 181;
     options.min_waypoint_distance = 4.0;
-    return simulateDrive(building(), options);
+    return simulation::simulateDrive(building(), options);
   }();
   return driven;
 }
 
-std::vector<MountedScan> scansOf(const DriveStep& step) {
+std::vector<scan::MountedScan> scansOf(const simulation::DriveStep& step) {
   return {{step.scans.front(), {drive().T_base_lidar.front(), false}}};
 }
 
 /// The estimate after the drive.
-MonteCarloEstimate driven(const MonteCarloOptions& options, const OccupancyGrid& map = building()) {
+MonteCarloEstimate driven(const MonteCarloOptions& options, const grid::OccupancyGrid& map = building()) {
   MonteCarloLocalizer localizer(map, options);
-  for (const DriveStep& step : drive().steps) {
+  for (const simulation::DriveStep& step : drive().steps) {
     localizer.add(step.T_odom_base, scansOf(step));
   }
   return localizer.estimate();
@@ -73,7 +73,7 @@ TEST(MonteCarloLocalizer, ConvergesToTheTruthFromAnywhere) {
 
   const MonteCarloEstimate end = driven(quickOptions());
 
-  const Rigid2 error = drive().steps.back().T_map_base.inverse() * end.T_map_base;
+  const grid::Rigid2 error = drive().steps.back().T_map_base.inverse() * end.T_map_base;
   EXPECT_LT(error.translation().norm(), 0.2);
   EXPECT_LT(std::abs(error.yaw), 0.1);
   EXPECT_LT(end.position_deviation, 0.3);
@@ -82,28 +82,28 @@ TEST(MonteCarloLocalizer, ConvergesToTheTruthFromAnywhere) {
 }
 
 TEST(MonteCarloLocalizer, TakesAMapWhoseOriginIsTurned) {
-  OccupancyGrid turned = building();
-  GridGeometry geometry = turned.geometry();
-  const Rigid2 T_other_map{3.0, -2.0, 1.2};
+  grid::OccupancyGrid turned = building();
+  grid::GridGeometry geometry = turned.geometry();
+  const grid::Rigid2 T_other_map{3.0, -2.0, 1.2};
   geometry.T_map_grid = T_other_map * geometry.T_map_grid;
 
   const MonteCarloEstimate end = driven(quickOptions(), {geometry, turned.values()});
 
-  const Rigid2 error = (T_other_map * drive().steps.back().T_map_base).inverse() * end.T_map_base;
+  const grid::Rigid2 error = (T_other_map * drive().steps.back().T_map_base).inverse() * end.T_map_base;
   EXPECT_LT(error.translation().norm(), 0.2);
   EXPECT_LT(std::abs(error.yaw), 0.1);
 }
 
 TEST(MonteCarloLocalizer, TakesALaserThatHangsUpsideDown) {
   MonteCarloLocalizer localizer(building(), quickOptions());
-  for (const DriveStep& step : drive().steps) {
-    std::vector<MountedScan> scans = scansOf(step);
+  for (const simulation::DriveStep& step : drive().steps) {
+    std::vector<scan::MountedScan> scans = scansOf(step);
     scans.front().mount.upside_down = true;
     std::reverse(scans.front().scan.ranges.begin(), scans.front().scan.ranges.end());
     localizer.add(step.T_odom_base, scans);
   }
 
-  const Rigid2 error = drive().steps.back().T_map_base.inverse() * localizer.estimate().T_map_base;
+  const grid::Rigid2 error = drive().steps.back().T_map_base.inverse() * localizer.estimate().T_map_base;
   EXPECT_LT(error.translation().norm(), 0.2);
 }
 
@@ -124,13 +124,13 @@ TEST(MonteCarloLocalizer, IsTheSameForTheSameSeedOnly) {
 
 TEST(MonteCarloLocalizer, FollowsTheOdometryBetweenTwoUpdates) {
   MonteCarloLocalizer localizer(building(), quickOptions());
-  const std::vector<MountedScan> scans = scansOf(drive().steps.front());
+  const std::vector<scan::MountedScan> scans = scansOf(drive().steps.front());
   EXPECT_TRUE(localizer.add({0.0, 0.0, 0.0}, scans));
-  const Rigid2 before = localizer.estimate().T_map_base;
+  const grid::Rigid2 before = localizer.estimate().T_map_base;
 
   EXPECT_FALSE(localizer.add({0.15, 0.0, 0.1}, scans)) << "the robot has moved too little";
 
-  const Rigid2 motion = before.inverse() * localizer.estimate().T_map_base;
+  const grid::Rigid2 motion = before.inverse() * localizer.estimate().T_map_base;
   EXPECT_NEAR(motion.x, 0.15, 1e-9);
   EXPECT_NEAR(motion.yaw, 0.1, 1e-9);
   EXPECT_TRUE(localizer.add({0.25, 0.0, 0.1}, scans));
@@ -138,7 +138,7 @@ TEST(MonteCarloLocalizer, FollowsTheOdometryBetweenTwoUpdates) {
 
 TEST(MonteCarloLocalizer, SurvivesScansThatMeasuredNothing) {
   MonteCarloLocalizer localizer(building(), quickOptions());
-  std::vector<MountedScan> nothing = scansOf(drive().steps.front());
+  std::vector<scan::MountedScan> nothing = scansOf(drive().steps.front());
   for (const float range : {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN(), 0.0F}) {
     nothing.front().scan.ranges.assign(181, range);
     EXPECT_FALSE(localizer.add({0.0, 0.0, 0.0}, nothing));
@@ -187,4 +187,4 @@ TEST(MonteCarloLocalizer, RefusesOdometryThatIsNotFinite) {
 }
 
 }  // namespace
-}  // namespace map_matcher
+}  // namespace map_matcher::localization

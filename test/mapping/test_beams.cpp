@@ -5,19 +5,19 @@
 
 #include "map_matcher/mapping/beams.hpp"
 
-namespace map_matcher {
+namespace map_matcher::mapping {
 namespace {
 
 constexpr float kInf = std::numeric_limits<float>::infinity();
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
 /// Beams at 0 and 90 degrees of the laser.
-PlanarScan quarterScan(float ahead, float left) { return {0.0, M_PI_2, 0.1, 20.0, {ahead, left}}; }
+scan::PlanarScan quarterScan(float ahead, float left) { return {0.0, M_PI_2, 0.1, 20.0, {ahead, left}}; }
 
-BeamFan cast(const PlanarScan& scan, const BeamLimits& limits = {}) { return castBeams(scan, {}, limits); }
+BeamFan cast(const scan::PlanarScan& scan, const BeamLimits& limits = {}) { return castBeams(scan, {}, limits); }
 
 TEST(Beams, EndWhereTheRangesPointInTheBaseFrame) {
-  const LaserMount mount{{0.25, 0.1, M_PI_2}, false};
+  const scan::LaserMount mount{{0.25, 0.1, M_PI_2}, false};
 
   const BeamFan fan = castBeams(quarterScan(2.0F, 3.0F), mount, {});
 
@@ -36,7 +36,7 @@ TEST(Beams, OfALaserUpsideDownTurnTheOtherWay) {
 }
 
 TEST(Beams, OfAClockwiseLaserTurnClockwise) {
-  PlanarScan scan = quarterScan(2.0F, 3.0F);
+  scan::PlanarScan scan = quarterScan(2.0F, 3.0F);
   scan.angle_increment = -M_PI_2;
 
   EXPECT_NEAR(cast(scan).beams[1].end.y(), -3.0, 1e-12);
@@ -76,8 +76,8 @@ TEST(Beams, KeepTheirHitsWhenTheFanIsMoved) {
   EXPECT_EQ(countHits(fan), 2);
 }
 
-TEST(PlanarScan, ThatIsNotValidNamesTheFieldAndItsValue) {
-  const auto messageFor = [](const PlanarScan& scan) -> std::string {
+TEST(scan::PlanarScan, ThatIsNotValidNamesTheFieldAndItsValue) {
+  const auto messageFor = [](const scan::PlanarScan& scan) -> std::string {
     try {
       scan.validate();
     } catch (const std::invalid_argument& error) {
@@ -101,4 +101,4 @@ TEST(PlanarScan, ThatIsNotValidNamesTheFieldAndItsValue) {
 }
 
 }  // namespace
-}  // namespace map_matcher
+}  // namespace map_matcher::mapping

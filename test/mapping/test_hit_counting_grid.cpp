@@ -6,18 +6,18 @@
 
 #include "map_matcher/mapping/hit_counting_grid.hpp"
 
-namespace map_matcher {
+namespace map_matcher::mapping {
 namespace {
 
 constexpr double kThreshold = 0.25;
 
 /// The values of a grid, upper row first: '#' occupied, '.' free, '?' unknown.
-std::vector<std::string> picture(const OccupancyGrid& grid) {
+std::vector<std::string> picture(const grid::OccupancyGrid& grid) {
   std::vector<std::string> rows;
   for (int y = grid.height() - 1; y >= 0; --y) {
     std::string row;
     for (int x = 0; x < grid.width(); ++x) {
-      row += grid.at(x, y) == kUnknown ? '?' : (grid.at(x, y) == kOccupied ? '#' : '.');
+      row += grid.at(x, y) == grid::kUnknown ? '?' : (grid.at(x, y) == grid::kOccupied ? '#' : '.');
     }
     rows.push_back(row);
   }
@@ -27,8 +27,8 @@ std::vector<std::string> picture(const OccupancyGrid& grid) {
 /// A grid of 1 m cells that covers (0, 0) to (5, 3).
 HitCountingGrid smallGrid() { return HitCountingGrid(1.0, {{0.0, 0.0}, {5.0, 3.0}}); }
 
-int at(const OccupancyGrid& grid, const Eigen::Vector2d& point) {
-  const Cell cell = grid.geometry().cellAt(point);
+int at(const grid::OccupancyGrid& grid, const Eigen::Vector2d& point) {
+  const grid::Cell cell = grid.geometry().cellAt(point);
   return grid.at(cell.x, cell.y);
 }
 
@@ -69,16 +69,16 @@ TEST(HitCountingGrid, DrawsTheSameCellsInAllEightDirections) {
 
     grid.draw({origin, {{end, true}}});
 
-    const OccupancyGrid map = grid.toOccupancyGrid(kThreshold);
+    const grid::OccupancyGrid map = grid.toOccupancyGrid(kThreshold);
     int free = 0;
     int occupied = 0;
     for (const std::int8_t value : map.values()) {
-      free += value == kFree ? 1 : 0;
-      occupied += value == kOccupied ? 1 : 0;
+      free += value == grid::kFree ? 1 : 0;
+      occupied += value == grid::kOccupied ? 1 : 0;
     }
     EXPECT_EQ(free, 6) << end.transpose();
     EXPECT_EQ(occupied, 1) << end.transpose();
-    EXPECT_EQ(at(map, end), kOccupied) << end.transpose();
+    EXPECT_EQ(at(map, end), grid::kOccupied) << end.transpose();
   }
 }
 
@@ -88,10 +88,10 @@ TEST(HitCountingGrid, CallsACellAWallWhenMoreThanTheThresholdOfItsBeamsEndedTher
   const Beam pass{{4.5, 1.5}, false};
 
   grid.draw({{0.5, 1.5}, {hit, pass, pass, pass}});
-  EXPECT_EQ(at(grid.toOccupancyGrid(kThreshold), {2.5, 1.5}), kFree) << "1 of 4 is not more than 0.25";
+  EXPECT_EQ(at(grid.toOccupancyGrid(kThreshold), {2.5, 1.5}), grid::kFree) << "1 of 4 is not more than 0.25";
 
   grid.draw({{0.5, 1.5}, {hit}});
-  EXPECT_EQ(at(grid.toOccupancyGrid(kThreshold), {2.5, 1.5}), kOccupied) << "2 of 5 is more than 0.25";
+  EXPECT_EQ(at(grid.toOccupancyGrid(kThreshold), {2.5, 1.5}), grid::kOccupied) << "2 of 5 is more than 0.25";
 }
 
 TEST(HitCountingGrid, KeepsTheShareOfHitsWhenItsCountersAreFull) {
@@ -102,8 +102,8 @@ TEST(HitCountingGrid, KeepsTheShareOfHitsWhenItsCountersAreFull) {
     grid.draw({{0.5, 1.5}, beams});
   }
 
-  EXPECT_EQ(at(grid.toOccupancyGrid(0.49), {2.5, 1.5}), kOccupied);
-  EXPECT_EQ(at(grid.toOccupancyGrid(0.51), {2.5, 1.5}), kFree);
+  EXPECT_EQ(at(grid.toOccupancyGrid(0.49), {2.5, 1.5}), grid::kOccupied);
+  EXPECT_EQ(at(grid.toOccupancyGrid(0.51), {2.5, 1.5}), grid::kFree);
 }
 
 TEST(HitCountingGrid, ChangesFromCellToCellExactlyAtMultiplesOfTheResolution) {
@@ -115,9 +115,9 @@ TEST(HitCountingGrid, ChangesFromCellToCellExactlyAtMultiplesOfTheResolution) {
 
       grid.draw({{below, 0.5 * resolution}, {{{below, 0.5 * resolution}, true}}});
 
-      const OccupancyGrid map = grid.toOccupancyGrid(kThreshold);
-      EXPECT_EQ(at(map, {below, 0.5 * resolution}), kOccupied) << line << " x " << resolution;
-      EXPECT_EQ(at(map, {above, 0.5 * resolution}), kUnknown) << line << " x " << resolution;
+      const grid::OccupancyGrid map = grid.toOccupancyGrid(kThreshold);
+      EXPECT_EQ(at(map, {below, 0.5 * resolution}), grid::kOccupied) << line << " x " << resolution;
+      EXPECT_EQ(at(map, {above, 0.5 * resolution}), grid::kUnknown) << line << " x " << resolution;
     }
   }
 }
@@ -128,14 +128,14 @@ TEST(HitCountingGrid, GrowsToAllSidesByMultiplesOf32CellsAndKeepsWhatItHas) {
 
   ASSERT_TRUE(grid.draw({{-3.5, -3.5}, {{{40.5, 50.5}, true}}}));
 
-  const OccupancyGrid map = grid.toOccupancyGrid(kThreshold);
+  const grid::OccupancyGrid map = grid.toOccupancyGrid(kThreshold);
   EXPECT_EQ(map.width(), 5 + 32 + 64);
   EXPECT_EQ(map.height(), 3 + 32 + 64);
   EXPECT_DOUBLE_EQ(map.geometry().T_map_grid.x, -32.0);
   EXPECT_DOUBLE_EQ(map.geometry().T_map_grid.y, -32.0);
-  EXPECT_EQ(at(map, {3.5, 1.5}), kOccupied);
-  EXPECT_EQ(at(map, {1.5, 1.5}), kFree);
-  EXPECT_EQ(at(map, {40.5, 50.5}), kOccupied);
+  EXPECT_EQ(at(map, {3.5, 1.5}), grid::kOccupied);
+  EXPECT_EQ(at(map, {1.5, 1.5}), grid::kFree);
+  EXPECT_EQ(at(map, {40.5, 50.5}), grid::kOccupied);
 }
 
 TEST(HitCountingGrid, RefusesToGrowBeyondItsLimitAndStaysAsItIs) {
@@ -157,7 +157,7 @@ TEST(HitCountingGrid, RefusesABadResolutionOrExtent) {
 }
 
 TEST(HitCountingGrid, CoversItsExtentInWholeCells) {
-  const OccupancyGrid map = HitCountingGrid(0.05, {{-10.0, -10.0}, {10.0, 10.0}}).toOccupancyGrid(kThreshold);
+  const grid::OccupancyGrid map = HitCountingGrid(0.05, {{-10.0, -10.0}, {10.0, 10.0}}).toOccupancyGrid(kThreshold);
   EXPECT_EQ(map.width(), 400);
   EXPECT_EQ(map.height(), 400);
   EXPECT_DOUBLE_EQ(map.geometry().T_map_grid.x, -10.0);
@@ -165,4 +165,4 @@ TEST(HitCountingGrid, CoversItsExtentInWholeCells) {
 }
 
 }  // namespace
-}  // namespace map_matcher
+}  // namespace map_matcher::mapping

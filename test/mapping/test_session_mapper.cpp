@@ -7,7 +7,7 @@
 #include "map_matcher/mapping/session_mapper.hpp"
 #include "support/room.hpp"
 
-namespace map_matcher {
+namespace map_matcher::mapping {
 namespace {
 
 using test::distanceToWall;
@@ -16,11 +16,11 @@ using test::Room;
 using test::scanFrom;
 
 /// Occupied cells of a map, as their centres [m].
-std::vector<Eigen::Vector2d> wallsOf(const OccupancyGrid& map) {
+std::vector<Eigen::Vector2d> wallsOf(const grid::OccupancyGrid& map) {
   std::vector<Eigen::Vector2d> centres;
   for (int y = 0; y < map.height(); ++y) {
     for (int x = 0; x < map.width(); ++x) {
-      if (map.at(x, y) == kOccupied) {
+      if (map.at(x, y) == grid::kOccupied) {
         centres.push_back(map.geometry().cellCentre({x, y}));
       }
     }
@@ -29,9 +29,9 @@ std::vector<Eigen::Vector2d> wallsOf(const OccupancyGrid& map) {
 }
 
 /// Drives along a curve through the room with perfect odometry.
-void drive(SessionMapper& mapper, const Room& room, const LaserMount& mount = {}) {
+void drive(SessionMapper& mapper, const Room& room, const scan::LaserMount& mount = {}) {
   for (int i = 0; i <= 40; ++i) {
-    const Rigid2 pose{-1.0 + 0.05 * i, 0.3 * std::sin(0.15 * i), 0.03 * i};
+    const grid::Rigid2 pose{-1.0 + 0.05 * i, 0.3 * std::sin(0.15 * i), 0.03 * i};
     mapper.addScan(pose, scanFrom(room, pose, mount), mount);
   }
 }
@@ -45,7 +45,7 @@ TEST(SessionMapper, HasNoMapBeforeTheFirstScan) {
 
 TEST(SessionMapper, DrawsTheFirstScanInTheOdometryFrame) {
   SessionMapper mapper;
-  const Rigid2 odometry{0.5, -0.25, 1.0};
+  const grid::Rigid2 odometry{0.5, -0.25, 1.0};
 
   const ScanReport report = mapper.addScan(odometry, scanFrom({}, odometry), {});
 
@@ -64,7 +64,7 @@ TEST(SessionMapper, PutsEveryWallIntoTheCellThatHoldsIt) {
 
   drive(mapper, room);
 
-  const OccupancyGrid map = *mapper.map();
+  const grid::OccupancyGrid map = *mapper.map();
   const std::vector<Eigen::Vector2d> walls = wallsOf(map);
   EXPECT_GT(walls.size(), 400U);
   for (const Eigen::Vector2d& wall : walls) {
@@ -118,10 +118,10 @@ TEST(SessionMapper, TakesTheMountOfTheLaserIntoAccount) {
 TEST(SessionMapper, CorrectsOdometryThatDrifts) {
   const Room room;
   SessionMapper mapper;
-  Rigid2 truth{-1.0, 0.0, 0.0};
-  Rigid2 odometry = truth;
-  const Rigid2 true_step{0.05, 0.0, 0.02};
-  const Rigid2 measured_step{0.055, 0.001, 0.023};
+  grid::Rigid2 truth{-1.0, 0.0, 0.0};
+  grid::Rigid2 odometry = truth;
+  const grid::Rigid2 true_step{0.05, 0.0, 0.02};
+  const grid::Rigid2 measured_step{0.055, 0.001, 0.023};
 
   mapper.addScan(odometry, scanFrom(room, truth), {});
   for (int i = 0; i < 60; ++i) {
@@ -130,12 +130,12 @@ TEST(SessionMapper, CorrectsOdometryThatDrifts) {
     mapper.addScan(odometry, scanFrom(room, truth), {});
   }
 
-  const Rigid2 error = truth.inverse() * mapper.T_session_base();
-  const Rigid2 odometry_error = truth.inverse() * odometry;
+  const grid::Rigid2 error = truth.inverse() * mapper.T_session_base();
+  const grid::Rigid2 odometry_error = truth.inverse() * odometry;
   EXPECT_GT(odometry_error.translation().norm(), 0.2) << "the test is only worth something when odometry is bad";
   EXPECT_LT(error.translation().norm(), 0.03);
   EXPECT_LT(std::abs(error.yaw), 0.01);
-  const Rigid2 composed = mapper.T_session_odom() * odometry;
+  const grid::Rigid2 composed = mapper.T_session_odom() * odometry;
   EXPECT_NEAR(composed.x, mapper.T_session_base().x, 1e-9);
   EXPECT_NEAR(composed.yaw, mapper.T_session_base().yaw, 1e-9);
 }
@@ -148,17 +148,17 @@ TEST(SessionMapper, MapsFarFromTheOriginOfOdometryAsWellAsNearIt) {
   SessionMapper mapper(options);
 
   for (int i = 0; i <= 40; ++i) {
-    const Rigid2 pose{49'999.0 + 0.05 * i, 0.0, 0.03 * i};
+    const grid::Rigid2 pose{49'999.0 + 0.05 * i, 0.0, 0.03 * i};
     mapper.addScan(pose, scanFrom(room, pose), {});
   }
 
-  const Rigid2 error = Rigid2{50'001.0, 0.0, 1.2}.inverse() * mapper.T_session_base();
+  const grid::Rigid2 error = grid::Rigid2{50'001.0, 0.0, 1.2}.inverse() * mapper.T_session_base();
   EXPECT_LT(error.translation().norm(), 0.01);
 }
 
 TEST(SessionMapper, LooksAtNoScanWhileTheRobotStands) {
   SessionMapper mapper;
-  const Rigid2 pose{0.0, 0.0, 0.0};
+  const grid::Rigid2 pose{0.0, 0.0, 0.0};
   mapper.addScan(pose, scanFrom({}, pose), {});
   const auto before = mapper.map()->values();
 
@@ -173,7 +173,7 @@ TEST(SessionMapper, DrawsAScanOnlyAfterTheMotionAskedFor) {
   options.linear_update = 0.5;
   SessionMapper mapper(options);
   const auto outcomeAt = [&mapper](double x) {
-    const Rigid2 pose{x, 0.0, 0.0};
+    const grid::Rigid2 pose{x, 0.0, 0.0};
     return mapper.addScan(pose, scanFrom({}, pose), {}).outcome;
   };
 
@@ -186,8 +186,8 @@ TEST(SessionMapper, DrawsAScanOnlyAfterTheMotionAskedFor) {
 
 TEST(SessionMapper, IgnoresBeamsThatSayNothing) {
   SessionMapper mapper;
-  const Rigid2 pose;
-  PlanarScan scan = scanFrom({}, pose);
+  const grid::Rigid2 pose;
+  scan::PlanarScan scan = scanFrom({}, pose);
   for (std::size_t i = 0; i < scan.ranges.size(); i += 2) {
     scan.ranges[i] = i % 4 == 0 ? std::numeric_limits<float>::infinity() : std::numeric_limits<float>::quiet_NaN();
   }
@@ -203,7 +203,7 @@ TEST(SessionMapper, IgnoresBeamsThatSayNothing) {
 TEST(SessionMapper, FollowsTheOdometryWhileNoBeamEndsAtAWall) {
   SessionMapper mapper;
   mapper.addScan({}, scanFrom({}, {}), {});
-  PlanarScan blind = scanFrom({}, {});
+  scan::PlanarScan blind = scanFrom({}, {});
   std::fill(blind.ranges.begin(), blind.ranges.end(), std::numeric_limits<float>::infinity());
 
   const ScanReport report = mapper.addScan({1.0, 0.0, 0.0}, blind, {});
@@ -214,7 +214,7 @@ TEST(SessionMapper, FollowsTheOdometryWhileNoBeamEndsAtAWall) {
 
 TEST(SessionMapper, DoesNotStartWithAScanThatShowsNoWall) {
   SessionMapper mapper;
-  PlanarScan blind = scanFrom({}, {});
+  scan::PlanarScan blind = scanFrom({}, {});
   std::fill(blind.ranges.begin(), blind.ranges.end(), std::numeric_limits<float>::infinity());
 
   EXPECT_EQ(mapper.addScan({}, blind, {}).outcome, ScanOutcome::kTooFewHits);
@@ -225,7 +225,7 @@ TEST(SessionMapper, LeavesAScanThatDoesNotFitOutOfTheMap) {
   SessionMapper mapper;
   mapper.addScan({}, scanFrom({}, {}), {});
   const auto before = mapper.map()->values();
-  const Rigid2 moved{0.5, 0.0, 0.0};
+  const grid::Rigid2 moved{0.5, 0.0, 0.0};
 
   const ScanReport report = mapper.addScan(moved, scanFrom({-1.2, 1.3, -0.8, 0.9}, {}), {});
 
@@ -238,8 +238,8 @@ TEST(SessionMapper, LeavesAScanThatDoesNotFitOutOfTheMap) {
 TEST(SessionMapper, AcceptsScansWithAnotherNumberOfBeams) {
   SessionMapper mapper;
   mapper.addScan({}, scanFrom({}, {}), {});
-  const Rigid2 moved{0.4, 0.0, 0.0};
-  PlanarScan half = scanFrom({}, moved);
+  const grid::Rigid2 moved{0.4, 0.0, 0.0};
+  scan::PlanarScan half = scanFrom({}, moved);
   half.ranges.resize(half.ranges.size() / 2);
 
   EXPECT_EQ(mapper.addScan(moved, half, {}).outcome, ScanOutcome::kDrawn);
@@ -248,7 +248,7 @@ TEST(SessionMapper, AcceptsScansWithAnotherNumberOfBeams) {
 TEST(SessionMapper, BeginsANewSessionAfterReset) {
   SessionMapper mapper;
   drive(mapper, {});
-  const Rigid2 elsewhere{7.0, 8.0, 2.0};
+  const grid::Rigid2 elsewhere{7.0, 8.0, 2.0};
 
   mapper.reset();
 
@@ -265,7 +265,7 @@ TEST(SessionMapper, IsAsBeforeAfterABadScanOrPose) {
   SessionMapper mapper;
   mapper.addScan({}, scanFrom({}, {}), {});
   const auto before = mapper.map()->values();
-  PlanarScan bad = scanFrom({}, {});
+  scan::PlanarScan bad = scanFrom({}, {});
   bad.range_max = std::numeric_limits<double>::quiet_NaN();
 
   EXPECT_THROW(mapper.addScan({5.0, 0.0, 0.0}, bad, {}), std::invalid_argument);
@@ -304,4 +304,4 @@ TEST(SessionMapper, RefusesAFirstMapThatIsTooLarge) {
 }
 
 }  // namespace
-}  // namespace map_matcher
+}  // namespace map_matcher::mapping

@@ -7,7 +7,7 @@
 
 #include "map_matcher/parameters/number_text.hpp"
 
-namespace map_matcher {
+namespace map_matcher::parameters {
 namespace {
 
 TEST(NumberText, IsWhatPeopleWrite) {
@@ -39,4 +39,4 @@ TEST(NumberText, ReadsBackAsTheSameNumber) {
 }
 
 }  // namespace
-}  // namespace map_matcher
+}  // namespace map_matcher::parameters

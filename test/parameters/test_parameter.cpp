@@ -6,7 +6,7 @@
 
 #include "map_matcher/parameters/parameter.hpp"
 
-namespace map_matcher {
+namespace map_matcher::parameters {
 namespace {
 
 Parameter ratioParameter(double& value) {
@@ -106,4 +106,4 @@ TEST(Parameter, FollowsItsField) {
 }
 
 }  // namespace
-}  // namespace map_matcher
+}  // namespace map_matcher::parameters

@@ -7,7 +7,7 @@
 #include "map_matcher/search/match_options.hpp"
 #include "support/temporary_dir.hpp"
 
-namespace map_matcher {
+namespace map_matcher::parameters {
 namespace {
 
 class YamlParameters : public testing::Test {
@@ -25,7 +25,7 @@ class YamlParameters : public testing::Test {
   }
 
   test::TemporaryDir dir_;
-  MatchOptions options_;
+  search::MatchOptions options_;
 };
 
 TEST_F(YamlParameters, FillTheFieldsTheyNameAndLeaveTheOthers) {
@@ -33,7 +33,7 @@ TEST_F(YamlParameters, FillTheFieldsTheyNameAndLeaveTheOthers) {
 
   EXPECT_EQ(options_.coarse.acceptance_ratio, 0.7);
   EXPECT_EQ(options_.hits_sample_threshold, 1000);
-  EXPECT_EQ(options_.coarse_resolution, MatchOptions{}.coarse_resolution);
+  EXPECT_EQ(options_.coarse_resolution, search::MatchOptions{}.coarse_resolution);
 }
 
 TEST_F(YamlParameters, OfAnEmptyFileChangeNothing) { EXPECT_EQ(load("# nothing\n"), ""); }
@@ -57,4 +57,4 @@ TEST_F(YamlParameters, OfAMissingFileAreRefusedByItsName) {
 }
 
 }  // namespace
-}  // namespace map_matcher
+}  // namespace map_matcher::parameters

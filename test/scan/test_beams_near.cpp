@@ -8,7 +8,7 @@
 
 #include "map_matcher/scan/beams_near.hpp"
 
-namespace map_matcher {
+namespace map_matcher::scan {
 namespace {
 
 /// How often each beam is visited.
@@ -66,4 +66,4 @@ TEST_P(BeamsNear, AreNeverVisitedTwiceWhateverTheAnglesAre) {
 INSTANTIATE_TEST_SUITE_P(Seeds, BeamsNear, testing::Range(0U, 500U));
 
 }  // namespace
-}  // namespace map_matcher
+}  // namespace map_matcher::scan

@@ -5,7 +5,7 @@
 
 #include "map_matcher/scrubbing/detection_cache.hpp"
 
-namespace map_matcher {
+namespace map_matcher::scrubbing {
 namespace {
 
 using std::chrono::milliseconds;
@@ -130,4 +130,4 @@ TEST(GrowingCache, NeverMakesACircleSmallerThanTheRemovalRadius) {
 }
 
 }  // namespace
-}  // namespace map_matcher
+}  // namespace map_matcher::scrubbing

@@ -5,7 +5,7 @@
 
 #include "map_matcher/scrubbing/detections.hpp"
 
-namespace map_matcher {
+namespace map_matcher::scrubbing {
 namespace {
 
 DetectionSet setOf(std::vector<Detection> detections) { return {"detector", "laser", Stamp(0), std::move(detections)}; }
@@ -55,4 +55,4 @@ TEST(DetectionLimits, KeepTheNearestOfTooMany) {
 }
 
 }  // namespace
-}  // namespace map_matcher
+}  // namespace map_matcher::scrubbing

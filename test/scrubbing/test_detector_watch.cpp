@@ -3,7 +3,7 @@
 
 #include "map_matcher/scrubbing/detector_watch.hpp"
 
-namespace map_matcher {
+namespace map_matcher::scrubbing {
 namespace {
 
 using testing::ElementsAre;
@@ -122,4 +122,4 @@ TEST_F(Watch, DoesNotBlameADetectorForScansThatCameLongAfterItsLastMessage) {
 }
 
 }  // namespace
-}  // namespace map_matcher
+}  // namespace map_matcher::scrubbing

@@ -9,7 +9,7 @@
 
 #include "map_matcher/scrubbing/people_removal.hpp"
 
-namespace map_matcher {
+namespace map_matcher::scrubbing {
 namespace {
 
 using testing::ElementsAre;
@@ -215,4 +215,4 @@ TEST_F(WaitingRemoval, LetsTheNextScanGoWhenTheTakerOfOneFails) {
 }
 
 }  // namespace
-}  // namespace map_matcher
+}  // namespace map_matcher::scrubbing

@@ -6,7 +6,7 @@
 
 #include "map_matcher/scrubbing/range_removal.hpp"
 
-namespace map_matcher {
+namespace map_matcher::scrubbing {
 namespace {
 
 using testing::ElementsAre;
@@ -15,7 +15,7 @@ using testing::IsEmpty;
 constexpr float kInf = std::numeric_limits<float>::infinity();
 
 /// Ahead, to the left, behind, to the right.
-const ScanLayout kFourBeams{0.0, M_PI_2, 0.05, 20.0};
+const scan::ScanLayout kFourBeams{0.0, M_PI_2, 0.05, 20.0};
 
 class RangesNearPeople : public testing::Test {
  protected:
@@ -67,4 +67,4 @@ TEST_F(RangesNearPeople, AreNoneInAScanThatMeasuredNothing) {
 }
 
 }  // namespace
-}  // namespace map_matcher
+}  // namespace map_matcher::scrubbing

@@ -9,7 +9,7 @@
 
 #include "map_matcher/scrubbing/scan_scrubber.hpp"
 
-namespace map_matcher {
+namespace map_matcher::scrubbing {
 namespace {
 
 using testing::ElementsAre;
@@ -20,10 +20,10 @@ constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
 /// Four beams: ahead, to the left, behind, to the right.
 constexpr double kQuarter = M_PI_2;
-const ScanLayout kFourBeams{0.0, kQuarter, 0.05, 20.0};
+const scan::ScanLayout kFourBeams{0.0, kQuarter, 0.05, 20.0};
 
 /// What beamsInside() is to find: every measured point against every disc.
-std::vector<std::uint32_t> everyPointAgainstEveryDisc(const ScanLayout& layout, const std::vector<float>& ranges,
+std::vector<std::uint32_t> everyPointAgainstEveryDisc(const scan::ScanLayout& layout, const std::vector<float>& ranges,
                                                       const std::vector<Disc>& discs) {
   std::vector<std::uint32_t> beams;
   for (std::size_t i = 0; i < ranges.size(); ++i) {
@@ -122,7 +122,7 @@ class AnyScan : public testing::TestWithParam<unsigned> {
   }
 
   std::mt19937 random{GetParam()};
-  ScanLayout layout;
+  scan::ScanLayout layout;
   std::vector<float> ranges;
   std::vector<Disc> discs;
   ScanScrubber scrubber;
@@ -200,4 +200,4 @@ INSTANTIATE_TEST_SUITE_P(Seeds, AbsurdScan, testing::Range(1000U, 1300U));
 INSTANTIATE_TEST_SUITE_P(Seeds, AnyScan, testing::Range(0U, 300U));
 
 }  // namespace
-}  // namespace map_matcher
+}  // namespace map_matcher::scrubbing

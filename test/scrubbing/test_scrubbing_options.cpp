@@ -6,10 +6,10 @@
 #include "map_matcher/scrubbing/scan_scrubber.hpp"
 #include "map_matcher/scrubbing/scrubbing_options.hpp"
 
-namespace map_matcher {
+namespace map_matcher::scrubbing {
 namespace {
 
-const ScanLayout kLayout{0.0, 0.1, 0.05, 20.0};
+const scan::ScanLayout kLayout{0.0, 0.1, 0.05, 20.0};
 
 TEST(RemovedRange, IsWhatWasChosen) {
   EXPECT_TRUE(std::isinf(removedRange("inf", kLayout)));
@@ -29,4 +29,4 @@ TEST(RemovedRange, IsNeverAPoint) {
 }
 
 }  // namespace
-}  // namespace map_matcher
+}  // namespace map_matcher::scrubbing

@@ -4,7 +4,7 @@
 
 #include "map_matcher/scrubbing/waiting_scans.hpp"
 
-namespace map_matcher {
+namespace map_matcher::scrubbing {
 namespace {
 
 using std::chrono::milliseconds;
@@ -87,4 +87,4 @@ TEST_F(Waiting, NeverHoldsScansWithoutEnd) {
 }
 
 }  // namespace
-}  // namespace map_matcher
+}  // namespace map_matcher::scrubbing

@@ -2,7 +2,7 @@
 
 #include "map_matcher/search/acceptance.hpp"
 
-namespace map_matcher {
+namespace map_matcher::search {
 namespace {
 
 /// A result that is accepted with the default options.
@@ -135,4 +135,4 @@ TEST(Acceptance, ProofThatNothingFitsIsNoMatch) {
 }
 
 }  // namespace
-}  // namespace map_matcher
+}  // namespace map_matcher::search

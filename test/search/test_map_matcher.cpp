@@ -6,21 +6,22 @@
 #include <system_error>
 #include <thread>
 
+#include "map_matcher/search/counting/rotations.hpp"
 #include "map_matcher/search/map_matcher.hpp"
-#include "map_matcher/search/rotations.hpp"
 #include "map_matcher/search/search_reference.hpp"
 #include "support/ascii_map.hpp"
 #include "support/cut.hpp"
 #include "support/no_threads.hpp"
 #include "support/random_maps.hpp"
 
-namespace map_matcher {
+namespace map_matcher::search {
 namespace {
 
 constexpr double kResolution = 0.05;
 
 /// Largest displacement of a point of the session, up to `reach` [m] from `centre` in the reference.
-double largestError(const Rigid2& estimate, const Rigid2& truth, const Eigen::Vector2d& centre, double reach) {
+double largestError(const grid::Rigid2& estimate, const grid::Rigid2& truth, const Eigen::Vector2d& centre,
+                    double reach) {
   double error = 0.0;
   for (const auto& corner : {Eigen::Vector2d(-reach, -reach), Eigen::Vector2d(reach, -reach),
                              Eigen::Vector2d(-reach, reach), Eigen::Vector2d(reach, reach)}) {
@@ -32,19 +33,20 @@ double largestError(const Rigid2& estimate, const Rigid2& truth, const Eigen::Ve
 
 /// A building, a square of it as a session map, and where that lies.
 struct Scene {
-  explicit Scene(std::uint32_t seed, const Rigid2& T_map_grid = {}, double session_resolution = kResolution)
+  explicit Scene(std::uint32_t seed, const grid::Rigid2& T_map_grid = {}, double session_resolution = kResolution)
       : random(seed), reference(test::randomBuilding(random, 30.0, 14.0, kResolution, T_map_grid)) {
     centre = T_map_grid * Eigen::Vector2d(test::randomReal(random, 6.0, 24.0), test::randomReal(random, 5.0, 9.0));
     truth = {test::randomReal(random, -9.0, 9.0), test::randomReal(random, -9.0, 9.0),
              test::randomReal(random, -3.1, 3.1)};
-    session = std::make_unique<OccupancyGrid>(test::cutSession(reference, centre, 8.0, truth, session_resolution));
+    session =
+        std::make_unique<grid::OccupancyGrid>(test::cutSession(reference, centre, 8.0, truth, session_resolution));
   }
 
   std::mt19937 random;
-  OccupancyGrid reference;
+  grid::OccupancyGrid reference;
   Eigen::Vector2d centre{0.0, 0.0};
-  Rigid2 truth;
-  std::unique_ptr<OccupancyGrid> session;
+  grid::Rigid2 truth;
+  std::unique_ptr<grid::OccupancyGrid> session;
 };
 
 MatchResult match(const Scene& scene, const MatchOptions& options = {}, const MatchPrior& prior = {}) {
@@ -65,26 +67,26 @@ TEST(MapMatcher, FindsASessionOfASyntheticBuildingWithinOneCellAndOneAngularStep
     // One cell at the middle of the session; the angular step is that of the coarse stage, since with whole cells and
     // walls one cell thick the best score may lie two fine steps beside the truth.
     const double coarse_step = rotationStep(2.0, std::sqrt(2.0) * 8.0 / result.stages[0].resolution);
-    const Rigid2 error = scene.truth.inverse() * result.T_reference_session;
+    const grid::Rigid2 error = scene.truth.inverse() * result.T_reference_session;
     EXPECT_LE(std::abs(error.yaw), coarse_step);
     EXPECT_LE((result.T_reference_session * (scene.truth.inverse() * scene.centre) - scene.centre).norm(), kResolution);
   }
 }
 
 TEST(MapMatcher, AnswerMovesWithTheOriginOfEitherMap) {
-  const Rigid2 moved{12.3, -4.5, 0.7};
+  const grid::Rigid2 moved{12.3, -4.5, 0.7};
   const Scene scene(5);
-  GridGeometry reference_geometry = scene.reference.geometry();
+  grid::GridGeometry reference_geometry = scene.reference.geometry();
   reference_geometry.T_map_grid = moved * reference_geometry.T_map_grid;
-  GridGeometry session_geometry = scene.session->geometry();
+  grid::GridGeometry session_geometry = scene.session->geometry();
   session_geometry.T_map_grid = moved * session_geometry.T_map_grid;
   MapMatcher matcher;
 
   matcher.setReference(scene.reference);
-  const Rigid2 plain = matcher.match(*scene.session).T_reference_session;
-  const Rigid2 session_moved = matcher.match({session_geometry, scene.session->values()}).T_reference_session;
+  const grid::Rigid2 plain = matcher.match(*scene.session).T_reference_session;
+  const grid::Rigid2 session_moved = matcher.match({session_geometry, scene.session->values()}).T_reference_session;
   matcher.setReference({reference_geometry, scene.reference.values()});
-  const Rigid2 reference_moved = matcher.match(*scene.session).T_reference_session;
+  const grid::Rigid2 reference_moved = matcher.match(*scene.session).T_reference_session;
 
   EXPECT_LT(largestError(session_moved * moved, plain, scene.centre, 4.0), 1e-6);
   EXPECT_LT(largestError(moved.inverse() * reference_moved, plain, scene.centre, 4.0), 1e-6);
@@ -120,8 +122,8 @@ TEST(MapMatcher, CellOffsetsMoveTheAnswerByThatShareOfACell) {
   options.session_map_cell_offset = 0.5;
   options.reference_map_cell_offset = -0.5;
 
-  const Rigid2 plain = match(scene).T_reference_session;
-  const Rigid2 corrected = match(scene, options).T_reference_session;
+  const grid::Rigid2 plain = match(scene).T_reference_session;
+  const grid::Rigid2 corrected = match(scene, options).T_reference_session;
 
   // A session map drawn half a cell too far along +x and +y: a true point lies half a cell below where it was drawn.
   const Eigen::Vector2d half_cell(0.5 * kResolution, 0.5 * kResolution);
@@ -165,7 +167,7 @@ TEST(MapMatcher, HeadingPriorGivesTheSameAnswerAndOneThatExcludesTheTruthDoesNot
   EXPECT_EQ(ordered.matched_cells, without.matched_cells);
   EXPECT_LT(with.stages[0].rotations, without.stages[0].rotations);
   EXPECT_TRUE(!excluded.matched() ||
-              std::abs(normalizeAngle(excluded.T_reference_session.yaw - scene.truth.yaw)) > 2.5);
+              std::abs(grid::normalizeAngle(excluded.T_reference_session.yaw - scene.truth.yaw)) > 2.5);
 }
 
 TEST(MapMatcher, WindowPriorNarrowsTheSearchToItsBox) {
@@ -227,7 +229,7 @@ TEST(MapMatcher, KeepsTheCoarseAnswerWhenTheFineStageHasNone) {
 TEST(MapMatcher, SaysNoWhenNothingReachesTheAcceptanceRatio) {
   Scene scene(16);
   std::mt19937 random(99);
-  const OccupancyGrid stranger = test::randomBuilding(random, 9.0, 8.0, kResolution);
+  const grid::OccupancyGrid stranger = test::randomBuilding(random, 9.0, 8.0, kResolution);
   MatchOptions options;
   options.coarse.acceptance_ratio = 0.95;
   MapMatcher matcher(options);
@@ -271,12 +273,12 @@ TEST(MapMatcher, SessionTooLargeForItsArithmeticIsAReason) {
   options.min_session_cells = 1;
   MapMatcher matcher(options);
   matcher.setReference(test::asciiMap({"####"}, 0.01));
-  GridGeometry geometry;
+  grid::GridGeometry geometry;
   geometry.resolution = 0.01;
   geometry.width = 40000;
   geometry.height = 1;
-  OccupancyGrid session(geometry);
-  session.at(0, 0) = session.at(39999, 0) = kOccupied;
+  grid::OccupancyGrid session(geometry);
+  session.at(0, 0) = session.at(39999, 0) = grid::kOccupied;
 
   EXPECT_EQ(matcher.match(session).status, MatchStatus::kSessionTooLarge);
 }
@@ -297,8 +299,8 @@ TEST(MapMatcher, SessionsOfOneCellOrOneSpotAreAnswered) {
 
 TEST(MapMatcher, SessionLargerThanTheReferenceIsAnswered) {
   std::mt19937 random(4);
-  const OccupancyGrid large = test::randomBuilding(random, 20.0, 12.0, kResolution);
-  const OccupancyGrid part = test::cutSession(large, {10.0, 6.0}, 7.0, {}, kResolution);
+  const grid::OccupancyGrid large = test::randomBuilding(random, 20.0, 12.0, kResolution);
+  const grid::OccupancyGrid part = test::cutSession(large, {10.0, 6.0}, 7.0, {}, kResolution);
   MatchOptions options;
   options.coarse.acceptance_ratio = options.min_hit_ratio =
       0.09;  // of what the session holds, the reference has no more
@@ -319,11 +321,11 @@ TEST(MapMatcher, StopsBeforeAndDuringASearch) {
   options.coarse_resolution = kResolution;
   MapMatcher matcher(options);
   matcher.setReference(scene.reference);
-  StopToken stopped_before;
+  work::StopToken stopped_before;
   stopped_before.requestStop();
   EXPECT_EQ(matcher.match(*scene.session, {}, stopped_before).status, MatchStatus::kStopped);
 
-  StopToken stop;
+  work::StopToken stop;
   MatchResult result;
   std::thread searching([&] { result = matcher.match(*scene.session, {}, stop); });
   stop.requestStop();
@@ -338,7 +340,7 @@ TEST(MapMatcher, GivesUpBuildingWhatACoarserSessionMapNeedsWhenItIsStopped) {
   MapMatcher matcher;
   matcher.setReference(fine.reference);
   const MatchResult before = matcher.match(*fine.session);
-  StopToken stop;
+  work::StopToken stop;
   stop.requestStop();
 
   const MatchResult stopped = matcher.match(*coarse.session, {}, stop);
@@ -354,7 +356,7 @@ TEST(MapMatcher, GivesUpBuildingWhatACoarserSessionMapNeedsWhenItIsStopped) {
 TEST(MapMatcher, KeepsTheReferenceMapBeforeWhenANewOneIsStopped) {
   const Scene scene(8);
   MapMatcher matcher;
-  StopToken stop;
+  work::StopToken stop;
   stop.requestStop();
 
   EXPECT_FALSE(matcher.setReference(scene.reference, stop));
@@ -403,7 +405,7 @@ TEST(MapMatcher, EndsTheTwoStagesAtTheDeadlineToo) {
 }
 
 TEST(SearchReference, IsGivenUpAtEveryLookAtItsDeadlineOrWhole) {
-  const OccupancyGrid map = test::asciiMap({"####..#", "#.....#", "#..#..#", "#######"}, kResolution);
+  const grid::OccupancyGrid map = test::asciiMap({"####..#", "#.....#", "#..#..#", "#######"}, kResolution);
   const MatchOptions options;
   for (const double resolution : {kResolution, 0.08}) {
     long look = 0;
@@ -413,7 +415,7 @@ TEST(SearchReference, IsGivenUpAtEveryLookAtItsDeadlineOrWhole) {
         const SearchReference reference(map, resolution, options, cut.deadline());
         whole = true;
         EXPECT_TRUE(reference.hasWalls());
-      } catch (const DeadlinePassed&) {
+      } catch (const work::DeadlinePassed&) {
         EXPECT_TRUE(cut.reached());
       }
     }
@@ -445,4 +447,4 @@ TEST(MapMatcher, RejectsEveryOptionOutOfRangeByNameValueAndRange) {
 }
 
 }  // namespace
-}  // namespace map_matcher
+}  // namespace map_matcher::search

@@ -12,7 +12,7 @@
 #include "map_matcher/search/map_matcher.hpp"
 #include "support/data_dir.hpp"
 
-namespace map_matcher {
+namespace map_matcher::search {
 namespace {
 
 namespace fs = std::filesystem;
@@ -32,17 +32,17 @@ void PrintTo(const RecordedSet& set, std::ostream* out) { *out << set.name; }
 class RecordedSessions : public testing::TestWithParam<RecordedSet> {};
 
 /// Mean displacement of the session's occupied cells [m].
-double meanDisplacement(const OccupancyGrid& session, const Rigid2& estimate, const Rigid2& truth) {
-  const std::vector<Cell> cells = occupiedCells(session);
+double meanDisplacement(const grid::OccupancyGrid& session, const grid::Rigid2& estimate, const grid::Rigid2& truth) {
+  const std::vector<grid::Cell> cells = grid::occupiedCells(session);
   double sum = 0.0;
-  for (const Cell& cell : cells) {
+  for (const grid::Cell& cell : cells) {
     const Eigen::Vector2d p = session.geometry().cellCentre(cell);
     sum += (estimate * p - truth * p).norm();
   }
   return sum / static_cast<double>(cells.size());
 }
 
-Rigid2 readTruth(const fs::path& path) {
+grid::Rigid2 readTruth(const fs::path& path) {
   const nlohmann::json truth = nlohmann::json::parse(std::ifstream(path));
   return {truth.at("x"), truth.at("y"), truth.at("yaw")};
 }
@@ -50,9 +50,9 @@ Rigid2 readTruth(const fs::path& path) {
 /// A session map, its reference map and its true place.
 struct RecordedSession {
   fs::path directory;
-  OccupancyGrid session;
-  OccupancyGrid reference;
-  Rigid2 truth;
+  grid::OccupancyGrid session;
+  grid::OccupancyGrid reference;
+  grid::Rigid2 truth;
 };
 
 std::vector<RecordedSession> readSet(const fs::path& set) {
@@ -61,8 +61,8 @@ std::vector<RecordedSession> readSet(const fs::path& set) {
     if (entry.is_directory()) {
       const fs::path own = entry.path() / "reference.yaml";
       const fs::path reference = fs::exists(own) ? own : set / "reference.yaml";
-      sessions.push_back({entry.path(), loadMap((entry.path() / "session.yaml").string()), loadMap(reference.string()),
-                          readTruth(entry.path() / "truth.json")});
+      sessions.push_back({entry.path(), grid::loadMap((entry.path() / "session.yaml").string()),
+                          grid::loadMap(reference.string()), readTruth(entry.path() / "truth.json")});
     }
   }
   return sessions;
@@ -162,4 +162,4 @@ INSTANTIATE_TEST_SUITE_P(Sets, RecordedSessions,
                          });
 
 }  // namespace
-}  // namespace map_matcher
+}  // namespace map_matcher::search

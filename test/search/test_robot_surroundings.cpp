@@ -10,7 +10,7 @@
 #include "support/ascii_map.hpp"
 #include "support/random_maps.hpp"
 
-namespace map_matcher {
+namespace map_matcher::search {
 namespace {
 
 constexpr double kResolution = 0.05;
@@ -23,10 +23,10 @@ MatchOptions drawnOptions() {
 }
 
 Surroundings drawnSurroundings(const std::vector<std::string>& reference_rows,
-                               const std::vector<std::string>& session_rows, const Rigid2& T_reference_session,
+                               const std::vector<std::string>& session_rows, const grid::Rigid2& T_reference_session,
                                const Eigen::Vector2d& robot, const MatchOptions& options = drawnOptions()) {
   const SearchReference reference(test::asciiMap(reference_rows), 1.0, options);
-  const OccupancyGrid session = test::asciiMap(session_rows);
+  const grid::OccupancyGrid session = test::asciiMap(session_rows);
   return surroundings(reference, session, searchSession(session, 1.0, options), options, T_reference_session, robot);
 }
 
@@ -85,18 +85,18 @@ TEST(Surroundings, TakeCellsNearWallsForHits) {
 TEST(Surroundings, TakeWallsThatAreBentALittleForTheSame) {
   const auto walls_ratio = [](double drift) {
     const MatchOptions options;
-    GridGeometry geometry;
+    grid::GridGeometry geometry;
     geometry.width = 100;
     geometry.height = 100;
     geometry.resolution = kResolution;
-    OccupancyGrid reference(geometry);
-    OccupancyGrid session = reference;
+    grid::OccupancyGrid reference(geometry);
+    grid::OccupancyGrid session = reference;
     for (int y = 0; y < 100; ++y) {
       for (int x = 0; x < 100; ++x) {
-        session.at(x, y) = kFree;
+        session.at(x, y) = grid::kFree;
       }
-      reference.at(50, y) = kOccupied;
-      session.at(50 + static_cast<int>(std::lround(drift / kResolution)), y) = kOccupied;
+      reference.at(50, y) = grid::kOccupied;
+      session.at(50 + static_cast<int>(std::lround(drift / kResolution)), y) = grid::kOccupied;
     }
     return surroundings(SearchReference(reference, kResolution, options), session,
                         searchSession(session, kResolution, options), options, {}, {2.0, 2.5})
@@ -154,13 +154,13 @@ TEST(IsAstray, NeverWithoutALimit) {
 }
 
 /// Draws pillars up to 3 m from `place` [m, map frame] into a map, and nothing else.
-OccupancyGrid withPillars(OccupancyGrid map, const Eigen::Vector2d& place) {
+grid::OccupancyGrid withPillars(grid::OccupancyGrid map, const Eigen::Vector2d& place) {
   constexpr int kSpacing = 22;  // [cells]
   constexpr int kWidth = 3;     // [cells]
   for (int y = 0; y < map.height(); ++y) {
     for (int x = 0; x < map.width(); ++x) {
       if ((map.geometry().cellCentre({x, y}) - place).norm() < 3.0) {
-        map.at(x, y) = x % kSpacing < kWidth && y % kSpacing < kWidth ? kOccupied : kFree;
+        map.at(x, y) = x % kSpacing < kWidth && y % kSpacing < kWidth ? grid::kOccupied : grid::kFree;
       }
     }
   }
@@ -180,11 +180,11 @@ struct LostRobot {
   }
 
   std::mt19937 random{4};
-  Rigid2 truth{2.0, -1.0, 0.8};
+  grid::Rigid2 truth{2.0, -1.0, 0.8};
   Eigen::Vector2d robot = truth.inverse() * Eigen::Vector2d(6.5, 4.0);
   Eigen::Vector2d elsewhere = truth.inverse() * Eigen::Vector2d(11.5, 8.5);
-  OccupancyGrid reference;
-  OccupancyGrid session;
+  grid::OccupancyGrid reference;
+  grid::OccupancyGrid session;
 };
 
 MatchPrior robotAt(const Eigen::Vector2d& robot, bool astray = false) {
@@ -237,4 +237,4 @@ TEST(RobotCheck, KeepsToWhatItSaidWhereThereIsTooLittleToLookAt) {
 }
 
 }  // namespace
-}  // namespace map_matcher
+}  // namespace map_matcher::search

@@ -8,7 +8,7 @@
 #include "map_matcher/simulation/drive.hpp"
 #include "support/drives.hpp"
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 namespace {
 
 using test::building;
@@ -34,7 +34,7 @@ double smallestGap(const Drive& drive, double robot_radius) {
 class CrowdedDrives : public testing::TestWithParam<double> {};
 
 TEST_P(CrowdedDrives, touchNeitherWallsNorPeople) {
-  const OccupancyGrid map = building(3);
+  const grid::OccupancyGrid map = building(3);
   DriveOptions options = shortDrive(3);
   options.duration = GetParam() < 1.0 ? 60.0 : 15.0;
   options.pedestrians.density = GetParam();
@@ -53,11 +53,11 @@ INSTANTIATE_TEST_SUITE_P(Densities, CrowdedDrives, testing::Values(0.1, 0.3, 1.0
 
 TEST(CrowdedDrive, getsToItsWaypointNoSoonerThanAlone) {
   DriveOptions options = shortDrive(1);
-  options.start = Rigid2{1.5, 2.0, 0.0};
+  options.start = grid::Rigid2{1.5, 2.0, 0.0};
   options.waypoints = {{6.0, 2.0}};
   options.duration = 60.0;
   options.pedestrians.people = 6;
-  const OccupancyGrid map = twoRooms();
+  const grid::OccupancyGrid map = twoRooms();
   const Drive alone = [&] {
     DriveOptions without = options;
     without.pedestrians.people = 0;
@@ -71,7 +71,7 @@ TEST(CrowdedDrive, getsToItsWaypointNoSoonerThanAlone) {
 }
 
 TEST(CrowdedDrive, amongPeopleIsTheSameForTheSameSeed) {
-  const OccupancyGrid map = building(2);
+  const grid::OccupancyGrid map = building(2);
   DriveOptions options = shortDrive(5);
   options.duration = 10.0;
   options.pedestrians.density = 0.5;
@@ -102,7 +102,7 @@ TEST(CrowdedDrive, withoutPeopleHasNoDetections) {
 TEST(CrowdedDrive, ofAPepperLooksBothWays) {
   DriveOptions options = shortDrive(1);
   equipAsPepper(options);
-  options.start = Rigid2{1.5, 2.0, 0.0};
+  options.start = grid::Rigid2{1.5, 2.0, 0.0};
   options.duration = 1.0;
   options.lidar.sigma = 0.0;
   options.pedestrians.people = 2;
@@ -117,4 +117,4 @@ TEST(CrowdedDrive, ofAPepperLooksBothWays) {
 }
 
 }  // namespace
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

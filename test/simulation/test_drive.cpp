@@ -12,7 +12,7 @@
 #include "support/drives.hpp"
 #include "support/thrown_text.hpp"
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 namespace {
 
 using test::asciiMap;
@@ -24,10 +24,10 @@ using test::shortDrive;
 using test::thrownText;
 using test::twoRooms;
 
-bool isOccupiedWithin(const OccupancyGrid& map, const Cell& cell, int distance) {
+bool isOccupiedWithin(const grid::OccupancyGrid& map, const grid::Cell& cell, int distance) {
   for (int y = cell.y - distance; y <= cell.y + distance; ++y) {
     for (int x = cell.x - distance; x <= cell.x + distance; ++x) {
-      if (map.geometry().contains({x, y}) && map.at(x, y) == kOccupied) {
+      if (map.geometry().contains({x, y}) && map.at(x, y) == grid::kOccupied) {
         return true;
       }
     }
@@ -38,7 +38,7 @@ bool isOccupiedWithin(const OccupancyGrid& map, const Cell& cell, int distance) 
 class Drives : public testing::TestWithParam<std::uint64_t> {};
 
 TEST_P(Drives, throughBuildingsGoFarAndTouchNothing) {
-  const OccupancyGrid map = building(GetParam());
+  const grid::OccupancyGrid map = building(GetParam());
   DriveOptions options = shortDrive(GetParam());
   options.duration = 300.0;
   options.lidar.beams = 2;
@@ -81,7 +81,7 @@ TEST(Drive, isSampledEvenlyFromItsStartToItsEnd) {
 }
 
 TEST(Drive, isTheSameForTheSameSeed) {
-  const OccupancyGrid map = building(2);
+  const grid::OccupancyGrid map = building(2);
   const Drive one = simulateDrive(map, shortDrive(5));
   const Drive other = simulateDrive(map, shortDrive(5));
   ASSERT_EQ(one.steps.size(), other.steps.size());
@@ -93,14 +93,14 @@ TEST(Drive, isTheSameForTheSameSeed) {
 }
 
 TEST(Drive, isAnotherForAnotherSeed) {
-  const OccupancyGrid map = building(2);
-  const Rigid2 one = simulateDrive(map, shortDrive(5)).steps.front().T_map_base;
-  const Rigid2 other = simulateDrive(map, shortDrive(6)).steps.front().T_map_base;
+  const grid::OccupancyGrid map = building(2);
+  const grid::Rigid2 one = simulateDrive(map, shortDrive(5)).steps.front().T_map_base;
+  const grid::Rigid2 other = simulateDrive(map, shortDrive(6)).steps.front().T_map_base;
   EXPECT_GT((one.translation() - other.translation()).norm(), 0.05);
 }
 
 TEST(Drive, takesTheSameWayWhateverTheNoise) {
-  const OccupancyGrid map = building(2);
+  const grid::OccupancyGrid map = building(2);
   DriveOptions options = shortDrive(5);
   const Drive noisy = simulateDrive(map, options);
   options.lidar.sigma = 0.0;
@@ -114,28 +114,28 @@ TEST(Drive, withoutNoiseHasTheTruthForItsOdometry) {
   DriveOptions options = shortDrive(3);
   options.odometry = {0.0, 0.0, 0.0, 0.0};
   const Drive drive = simulateDrive(building(3), options);
-  const Rigid2 T_start_map = drive.steps.front().T_map_base.inverse();
+  const grid::Rigid2 T_start_map = drive.steps.front().T_map_base.inverse();
   for (const DriveStep& step : drive.steps) {
-    const Rigid2 expected = T_start_map * step.T_map_base;
+    const grid::Rigid2 expected = T_start_map * step.T_map_base;
     ASSERT_NEAR(step.T_odom_base.x, expected.x, 1e-9);
     ASSERT_NEAR(step.T_odom_base.y, expected.y, 1e-9);
-    ASSERT_NEAR(normalizeAngle(step.T_odom_base.yaw - expected.yaw), 0.0, 1e-9);
+    ASSERT_NEAR(grid::normalizeAngle(step.T_odom_base.yaw - expected.yaw), 0.0, 1e-9);
   }
 }
 
 TEST(Drive, hasScansThatFitTheMapAtTheTruePose) {
-  const OccupancyGrid map = building(3);
+  const grid::OccupancyGrid map = building(3);
   DriveOptions options = shortDrive(3);
   options.lidar.sigma = 0.0;
   const Drive drive = simulateDrive(map, options);
   for (const DriveStep& step : drive.steps) {
-    const Rigid2 T_map_lidar = step.T_map_base * drive.T_base_lidar.front();
+    const grid::Rigid2 T_map_lidar = step.T_map_base * drive.T_base_lidar.front();
     for (std::size_t i = 0; i < step.scans.front().ranges.size(); ++i) {
       const double angle = step.scans.front().angle_min + static_cast<double>(i) * step.scans.front().angle_increment;
       const double range =
           static_cast<double>(step.scans.front().ranges[i]) + 1e-4;  // the surface of a cell, and a little more
       if (std::isfinite(range)) {
-        const Cell cell =
+        const grid::Cell cell =
             map.geometry().cellAt(T_map_lidar * Eigen::Vector2d(range * std::cos(angle), range * std::sin(angle)));
         ASSERT_TRUE(isOccupiedWithin(map, cell, 1)) << "ray " << i << " at " << step.time << " s";
       }
@@ -144,13 +144,13 @@ TEST(Drive, hasScansThatFitTheMapAtTheTruePose) {
 }
 
 TEST(Drive, withNoiseDriftsByAFewPercent) {
-  const OccupancyGrid map = building(3);
+  const grid::OccupancyGrid map = building(3);
   double square = 0.0;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     DriveOptions options = shortDrive(seed);
     options.lidar.beams = 2;
     const Drive drive = simulateDrive(map, options);
-    const Rigid2 truth = drive.steps.front().T_map_base.inverse() * drive.steps.back().T_map_base;
+    const grid::Rigid2 truth = drive.steps.front().T_map_base.inverse() * drive.steps.back().T_map_base;
     const double error = (truth.translation() - drive.steps.back().T_odom_base.translation()).norm();
     square += std::pow(error / distanceDriven(drive), 2) / 20.0;
   }
@@ -160,10 +160,10 @@ TEST(Drive, withNoiseDriftsByAFewPercent) {
 
 TEST(Drive, visitsTheGivenWaypointsInTheirOrderAndEnds) {
   DriveOptions options = shortDrive(1);
-  options.start = Rigid2{1.5, 1.5, 2.0};
+  options.start = grid::Rigid2{1.5, 1.5, 2.0};
   options.waypoints = {{6.5, 2.5}, {2.5, 2.8}};
   options.duration = 200.0;
-  const OccupancyGrid map = twoRooms();
+  const grid::OccupancyGrid map = twoRooms();
   const Drive drive = simulateDrive(map, options);
 
   EXPECT_EQ(drive.steps.front().T_map_base.x, 1.5);
@@ -195,7 +195,7 @@ TEST(Drive, chooseRandomWaypointsFarApart) {
 
 TEST(Drive, refusesAWaypointThatCannotBeReached) {
   DriveOptions options = shortDrive(1);
-  options.start = Rigid2{1.5, 1.5, 0.0};
+  options.start = grid::Rigid2{1.5, 1.5, 0.0};
   options.waypoints = {{2.0, 2.0}, {3.75, 0.75}};
   const std::string text = thrownText<std::invalid_argument>([&] { simulateDrive(twoRooms(), options); });
   EXPECT_NE(text.find("waypoint 2 is (3.75, 0.75) m"), std::string::npos) << text;
@@ -203,13 +203,13 @@ TEST(Drive, refusesAWaypointThatCannotBeReached) {
 
 TEST(Drive, refusesAStartWithoutRoomForTheRobot) {
   DriveOptions options = shortDrive(1);
-  options.start = Rigid2{0.6, 1.5, 0.0};
+  options.start = grid::Rigid2{0.6, 1.5, 0.0};
   const std::string text = thrownText<std::invalid_argument>([&] { simulateDrive(twoRooms(), options); });
   EXPECT_NE(text.find("start is (0.6, 1.5) m, expected a place with 0.25 m of free space"), std::string::npos) << text;
 }
 
 TEST(Drive, refusesAMapWithoutFreeSpace) {
-  for (const OccupancyGrid& map :
+  for (const grid::OccupancyGrid& map :
        {asciiMap({"####", "####"}), asciiMap({"    ", "    "}), asciiMap({"..", ".."}, 0.05)}) {
     const std::string text = thrownText<std::invalid_argument>([&] { simulateDrive(map, shortDrive(1)); });
     EXPECT_NE(text.find("no free place for a robot of radius 0.25 m"), std::string::npos) << text;
@@ -223,7 +223,7 @@ TEST(Drive, namesEveryOptionOutOfItsRange) {
   options.lidar.beams = 0;
   options.robot.radius = 0.1;
   options.odometry.alpha2 = std::nan("");
-  options.start = Rigid2{std::nan(""), 0.0, 0.0};
+  options.start = grid::Rigid2{std::nan(""), 0.0, 0.0};
   const std::string text = thrownText<std::invalid_argument>([&] { simulateDrive(twoRooms(), options); });
   for (const char* problem :
        {"duration is -1, expected 0.1 to 36000 s", "rate is 0, expected 0.5 to 200 Hz", "beams is 0", "alpha2 is nan",
@@ -239,7 +239,7 @@ TEST(Drive, worksInRecordedMaps) {
   }
   for (const char* name : {"asl_office", "intel", "freiburg-101"}) {
     SCOPED_TRACE(name);
-    const OccupancyGrid map = loadMap((*data / "maps" / (std::string(name) + ".yaml")).string());
+    const grid::OccupancyGrid map = grid::loadMap((*data / "maps" / (std::string(name) + ".yaml")).string());
     DriveOptions options = shortDrive(2);
     options.duration = 120.0;
     const Drive drive = simulateDrive(map, options);
@@ -250,4 +250,4 @@ TEST(Drive, worksInRecordedMaps) {
 }
 
 }  // namespace
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

@@ -12,7 +12,7 @@
 #include "support/drives.hpp"
 #include "support/thrown_text.hpp"
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 namespace {
 
 using test::building;
@@ -24,16 +24,16 @@ using test::thrownText;
 using test::twoRooms;
 
 /// The share of the free cells of the building that a scan passed, within 8 m.
-double seenShare(const OccupancyGrid& map, const Drive& drive) {
-  const OccupancyGrid coarse = resample(map, 0.1);
+double seenShare(const grid::OccupancyGrid& map, const Drive& drive) {
+  const grid::OccupancyGrid coarse = grid::resample(map, 0.1);
   std::vector<bool> seen(coarse.values().size(), false);
   for (const DriveStep& step : drive.steps) {
-    const Rigid2 T_map_lidar = step.T_map_base * drive.T_base_lidar.front();
+    const grid::Rigid2 T_map_lidar = step.T_map_base * drive.T_base_lidar.front();
     for (std::size_t i = 0; i < step.scans.front().ranges.size(); ++i) {
-      const PlanarScan& scan = step.scans.front();
+      const scan::PlanarScan& scan = step.scans.front();
       const double angle = scan.angle_min + static_cast<double>(i) * scan.angle_increment;
       for (double r = 0.0; r < std::min<double>(scan.ranges[i], 8.0); r += 0.07) {
-        const Cell cell =
+        const grid::Cell cell =
             coarse.geometry().cellAt(T_map_lidar * Eigen::Vector2d(r * std::cos(angle), r * std::sin(angle)));
         seen[static_cast<std::size_t>(cell.y * coarse.width() + cell.x)] = true;
       }
@@ -42,14 +42,14 @@ double seenShare(const OccupancyGrid& map, const Drive& drive) {
   double num_free = 0.0;
   double num_seen = 0.0;
   for (std::size_t i = 0; i < seen.size(); ++i) {
-    num_free += coarse.values()[i] == kFree ? 1.0 : 0.0;
-    num_seen += coarse.values()[i] == kFree && seen[i] ? 1.0 : 0.0;
+    num_free += coarse.values()[i] == grid::kFree ? 1.0 : 0.0;
+    num_seen += coarse.values()[i] == grid::kFree && seen[i] ? 1.0 : 0.0;
   }
   return num_seen / num_free;
 }
 
 TEST(Exploration, seesTheWholeBuildingAndEnds) {
-  const OccupancyGrid map = building(1);
+  const grid::OccupancyGrid map = building(1);
   DriveOptions options = shortDrive(1);
   options.duration = 2000.0;
   options.rate = 5.0;
@@ -73,4 +73,4 @@ TEST(Exploration, refusesWaypointsForARobotThatExplores) {
 }
 
 }  // namespace
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

@@ -5,7 +5,7 @@
 
 #include "map_matcher/simulation/gait.hpp"
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 namespace {
 
 constexpr double kPeriod = 0.01;
@@ -115,4 +115,4 @@ TEST(Gait, putsNoFootWhereThereIsNoFooting) {
 }
 
 }  // namespace
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

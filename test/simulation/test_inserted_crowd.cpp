@@ -9,7 +9,7 @@
 #include "support/drives.hpp"
 #include "support/thrown_text.hpp"
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 namespace {
 
 using testing::AllOf;
@@ -17,7 +17,7 @@ using testing::HasSubstr;
 
 constexpr int kBeams = 361;
 constexpr double kDegree = M_PI / 180.0;
-const Rigid2 kRobot{1.5, 2.0, 0.3};  // stands in the left one of the two rooms
+const grid::Rigid2 kRobot{1.5, 2.0, 0.3};  // stands in the left one of the two rooms
 
 InsertedCrowdOptions crowdOptions(int people = 4) {
   InsertedCrowdOptions options;
@@ -30,11 +30,11 @@ InsertedCrowdOptions crowdOptions(int people = 4) {
 }
 
 /// A scan that measured 6 m everywhere, beyond the rooms.
-MountedScan openScan() {
+scan::MountedScan openScan() {
   return {{{-180.0 * kDegree, kDegree, 0.05, 20.0}, std::vector<float>(kBeams, 6.0F)}, {{0.1, 0.0, 0.0}, false}};
 }
 
-Eigen::Vector2d pointOf(const PlanarScan& scan, const Rigid2& T_map_laser, std::size_t beam) {
+Eigen::Vector2d pointOf(const scan::PlanarScan& scan, const grid::Rigid2& T_map_laser, std::size_t beam) {
   const double angle = scan.angle_min + static_cast<double>(beam) * scan.angle_increment;
   const double range = scan.ranges[beam];
   return T_map_laser * Eigen::Vector2d(range * std::cos(angle), range * std::sin(angle));
@@ -50,11 +50,11 @@ double distanceToLegs(const std::vector<Person>& people, const Eigen::Vector2d& 
 
 TEST(InsertedCrowd, ShowsLegsWherePeopleStandAndLeavesAllElseAsItWas) {
   InsertedCrowd crowd(test::twoRooms(), crowdOptions());
-  const MountedScan recorded = openScan();
+  const scan::MountedScan recorded = openScan();
   int changed = 0;
   for (int i = 0; i < 20; ++i) {
     crowd.moveOn(100.0 + 0.2 * i, {kRobot});
-    const PlanarScan scan = crowd.among(recorded).scan;
+    const scan::PlanarScan scan = crowd.among(recorded).scan;
     ASSERT_EQ(scan.ranges.size(), recorded.scan.ranges.size());
     for (std::size_t k = 0; k < scan.ranges.size(); ++k) {
       if (scan.ranges[k] != recorded.scan.ranges[k]) {
@@ -70,7 +70,7 @@ TEST(InsertedCrowd, ShowsLegsWherePeopleStandAndLeavesAllElseAsItWas) {
 
 TEST(InsertedCrowd, IsHiddenBehindWhatWasRecordedBeforeIt) {
   InsertedCrowd crowd(test::twoRooms(), crowdOptions());
-  MountedScan recorded = openScan();
+  scan::MountedScan recorded = openScan();
   recorded.scan.ranges.assign(kBeams, 0.2F);
 
   crowd.moveOn(100.0, {kRobot});
@@ -88,7 +88,7 @@ TEST(InsertedCrowd, IsHiddenBehindWhatWasRecordedBeforeIt) {
 TEST(InsertedCrowd, IsDetectedInTheFrameOfTheLaserHoweverItIsMounted) {
   for (const bool upside_down : {false, true}) {
     InsertedCrowd crowd(test::twoRooms(), crowdOptions());
-    MountedScan recorded = openScan();
+    scan::MountedScan recorded = openScan();
     recorded.mount = {{0.1, 0.05, 0.7}, upside_down};
     int detected = 0;
     for (int i = 0; i < 20; ++i) {
@@ -112,8 +112,8 @@ TEST(InsertedCrowd, IsDetectedInTheFrameOfTheLaserHoweverItIsMounted) {
 TEST(InsertedCrowd, SeenByALaserThatHangsUpsideDownIsMirrored) {
   InsertedCrowd crowd(test::twoRooms(), crowdOptions());
   InsertedCrowd same(test::twoRooms(), crowdOptions());
-  MountedScan upright = openScan();
-  MountedScan hanging = openScan();
+  scan::MountedScan upright = openScan();
+  scan::MountedScan hanging = openScan();
   hanging.mount.upside_down = true;
 
   crowd.moveOn(100.0, {kRobot});
@@ -136,7 +136,7 @@ TEST(InsertedCrowd, IsTheSameForTheSameSeedOnly) {
     std::vector<float> ranges;
     for (int i = 0; i < 10; ++i) {
       crowd.moveOn(100.0 + 0.2 * i, {kRobot});
-      const PlanarScan scan = crowd.among(openScan()).scan;
+      const scan::PlanarScan scan = crowd.among(openScan()).scan;
       ranges.insert(ranges.end(), scan.ranges.begin(), scan.ranges.end());
     }
     return ranges;
@@ -163,7 +163,7 @@ TEST(InsertedCrowd, IsNotSeenFromWithin) {
   const Eigen::Vector2d place = crowd.people().front().position;
   crowd.moveOn(100.001, {{place.x(), place.y(), 0.0}});  // the robot has driven into somebody
 
-  MountedScan recorded = openScan();
+  scan::MountedScan recorded = openScan();
   recorded.mount = {};
   for (const float range : crowd.among(recorded).scan.ranges) {
     EXPECT_GT(range, 0.25F);
@@ -188,4 +188,4 @@ TEST(InsertedCrowd, NamesEveryBadOption) {
 }
 
 }  // namespace
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

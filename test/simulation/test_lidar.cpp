@@ -8,7 +8,7 @@
 #include "support/ascii_map.hpp"
 #include "support/thrown_text.hpp"
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 namespace {
 
 using test::asciiMap;
@@ -35,7 +35,7 @@ TEST(Lidar, spreadsItsRaysFromRightToLeftOverTheFieldOfView) {
                               ".....",  //
                               "....#",  //
                               "#####"}));
-  const PlanarScan scan = lidarWith(threeRays()).scan(world, {0.5, 1.5, 0.0});
+  const scan::PlanarScan scan = lidarWith(threeRays()).scan(world, {0.5, 1.5, 0.0});
   ASSERT_EQ(scan.ranges.size(), 3U);
   EXPECT_DOUBLE_EQ(scan.angle_min, -M_PI / 2.0);
   EXPECT_DOUBLE_EQ(scan.angle_increment, M_PI / 2.0);
@@ -46,7 +46,7 @@ TEST(Lidar, spreadsItsRaysFromRightToLeftOverTheFieldOfView) {
 
 TEST(Lidar, hasTheReportsFieldOfViewAndRangeByDefault) {
   const World world(asciiMap({"...#"}));
-  const PlanarScan scan = lidarWith({}).scan(world, {0.5, 0.5, 0.0});
+  const scan::PlanarScan scan = lidarWith({}).scan(world, {0.5, 0.5, 0.0});
   EXPECT_EQ(scan.ranges.size(), 811U);
   EXPECT_NEAR(scan.angle_min, -135.0 * M_PI / 180.0, 1e-12);
   EXPECT_NEAR(scan.angle_increment, M_PI / 180.0 / 3.0, 1e-12);
@@ -58,7 +58,7 @@ TEST(Lidar, looksFromItsMountingPose) {
   const World world(asciiMap({"........#"}));
   LidarOptions options = threeRays();
   options.T_base_lidar = {1.0, 0.0, M_PI / 2.0};
-  const PlanarScan scan = lidarWith(options).scan(world, {0.5, 0.5, 0.0});
+  const scan::PlanarScan scan = lidarWith(options).scan(world, {0.5, 0.5, 0.0});
   EXPECT_NEAR(scan.ranges[0], 6.5, 1e-6);  // its right is the robot's front
   EXPECT_EQ(scan.ranges[1], kNoReturn);
 }
@@ -102,7 +102,7 @@ TEST(Lidar, seesTheSameWithTheSameSeedOnly) {
   const World world(asciiMap({"..........#"}));
   LidarOptions options = threeRays();
   options.sigma = 0.05;
-  const Rigid2 pose{0.5, 0.5, 0.0};
+  const grid::Rigid2 pose{0.5, 0.5, 0.0};
   EXPECT_EQ(lidarWith(options, 5).scan(world, pose).ranges, lidarWith(options, 5).scan(world, pose).ranges);
   EXPECT_NE(lidarWith(options, 5).scan(world, pose).ranges, lidarWith(options, 6).scan(world, pose).ranges);
 }
@@ -124,8 +124,8 @@ TEST(Lidar, seesTheRestAsWithoutTheLegs) {
   const World world(asciiMap({".........#"}));
   LidarOptions options;
   options.T_base_lidar = {};
-  const Rigid2 pose{0.5, 0.5, 0.0};
-  const PlanarScan without = lidarWith(options, 3).scan(world, pose);
+  const grid::Rigid2 pose{0.5, 0.5, 0.0};
+  const scan::PlanarScan without = lidarWith(options, 3).scan(world, pose);
   const LidarView with = lidarWith(options, 3).scanAmong({{{3.5, 0.5}, 0.07}}, world, pose);
   int num_changed = 0;
   for (std::size_t i = 0; i < without.ranges.size(); ++i) {
@@ -151,4 +151,4 @@ TEST(Lidar, namesEveryOptionOutOfItsRange) {
 }
 
 }  // namespace
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

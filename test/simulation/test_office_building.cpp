@@ -14,7 +14,7 @@
 #include "map_matcher/simulation/world.hpp"
 #include "support/thrown_text.hpp"
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 namespace {
 
 using test::thrownText;
@@ -27,15 +27,15 @@ OfficeBuildingOptions withSeed(std::uint64_t seed, double resolution = 0.02) {
 }
 
 /// Which cells a robot of this radius [m] can get to from `start` [m].
-std::vector<bool> reachable(const OccupancyGrid& grid, const Eigen::Vector2d& start, double radius) {
+std::vector<bool> reachable(const grid::OccupancyGrid& grid, const Eigen::Vector2d& start, double radius) {
   const World world(grid);
-  const GridGeometry& geometry = grid.geometry();
-  const auto index = [&](const Cell& cell) { return static_cast<std::size_t>(cell.y * grid.width() + cell.x); };
+  const grid::GridGeometry& geometry = grid.geometry();
+  const auto index = [&](const grid::Cell& cell) { return static_cast<std::size_t>(cell.y * grid.width() + cell.x); };
   std::vector<bool> reached(grid.values().size(), false);
-  std::queue<Cell> open;
+  std::queue<grid::Cell> open;
   open.push(geometry.cellAt(start));
   while (!open.empty()) {
-    const Cell cell = open.front();
+    const grid::Cell cell = open.front();
     open.pop();
     if (!geometry.contains(cell) || reached[index(cell)] || world.clearance(geometry.cellCentre(cell)) < radius) {
       continue;
@@ -49,9 +49,9 @@ std::vector<bool> reachable(const OccupancyGrid& grid, const Eigen::Vector2d& st
   return reached;
 }
 
-int countIn(const Rectangle& area, const OccupancyGrid& grid, const std::vector<bool>& cells) {
-  const Cell first = grid.geometry().cellAt({area.x_min, area.y_min});
-  const Cell last = grid.geometry().cellAt({area.x_max, area.y_max});
+int countIn(const Rectangle& area, const grid::OccupancyGrid& grid, const std::vector<bool>& cells) {
+  const grid::Cell first = grid.geometry().cellAt({area.x_min, area.y_min});
+  const grid::Cell last = grid.geometry().cellAt({area.x_max, area.y_max});
   int count = 0;
   for (int y = first.y; y <= last.y; ++y) {
     for (int x = first.x; x <= last.x; ++x) {
@@ -66,7 +66,7 @@ class OfficeBuildings : public testing::TestWithParam<std::uint64_t> {};
 TEST_P(OfficeBuildings, letARobotIntoEveryRoom) {
   const OfficeBuildingOptions options = withSeed(GetParam());
   const FloorPlan plan = drawFloorPlan(options);
-  const OccupancyGrid building = officeBuilding(options);
+  const grid::OccupancyGrid building = officeBuilding(options);
   const std::vector<bool> reached = reachable(building, plan.passages.front().centre(), 0.3);
   for (const Space& space : plan.spaces) {
     const double floor = countIn(space.walls, building, reached) * options.resolution * options.resolution;
@@ -79,7 +79,7 @@ TEST_P(OfficeBuildings, letARobotIntoEveryRoom) {
 
 TEST_P(OfficeBuildings, letNoRayOut) {
   for (const double resolution : {0.02, 0.1}) {
-    const OccupancyGrid building = officeBuilding(withSeed(GetParam(), resolution));
+    const grid::OccupancyGrid building = officeBuilding(withSeed(GetParam(), resolution));
     const World world(building);
     RandomNumbers random(GetParam());
     for (int i = 0; i < 20000; ++i) {
@@ -91,12 +91,12 @@ TEST_P(OfficeBuildings, letNoRayOut) {
 }
 
 TEST_P(OfficeBuildings, areFreeInsideAndUnknownOutside) {
-  const OccupancyGrid building = officeBuilding(withSeed(GetParam()));
+  const grid::OccupancyGrid building = officeBuilding(withSeed(GetParam()));
   for (int y = 0; y < building.height(); ++y) {
     for (int x = 0; x < building.width(); ++x) {
       const Eigen::Vector2d p = building.geometry().cellCentre({x, y});
       const bool inside = p.x() > 0.0 && p.x() < 55.0 && p.y() > 0.0 && p.y() < 15.0;
-      ASSERT_EQ(building.at(x, y) != kUnknown, inside) << p.transpose();
+      ASSERT_EQ(building.at(x, y) != grid::kUnknown, inside) << p.transpose();
     }
   }
 }
@@ -104,26 +104,26 @@ TEST_P(OfficeBuildings, areFreeInsideAndUnknownOutside) {
 /// A robot that sees the map must be able to tell where it is: moved by a metre or more, or turned by half a turn, the
 /// building does not look like itself.
 TEST_P(OfficeBuildings, doNotRepeatThemselves) {
-  const OccupancyGrid building = officeBuilding(withSeed(GetParam(), 0.1));
-  const std::vector<Cell> occupied = occupiedCells(building);
+  const grid::OccupancyGrid building = officeBuilding(withSeed(GetParam(), 0.1));
+  const std::vector<grid::Cell> occupied = grid::occupiedCells(building);
   const auto share = [&](auto&& moved) {
-    const auto hits = std::count_if(occupied.begin(), occupied.end(), [&](const Cell& cell) {
-      const Cell other = moved(cell);
-      return building.geometry().contains(other) && building.at(other.x, other.y) == kOccupied;
+    const auto hits = std::count_if(occupied.begin(), occupied.end(), [&](const grid::Cell& cell) {
+      const grid::Cell other = moved(cell);
+      return building.geometry().contains(other) && building.at(other.x, other.y) == grid::kOccupied;
     });
     return static_cast<double>(hits) / static_cast<double>(occupied.size());
   };
-  ASSERT_EQ(share([](const Cell& cell) { return cell; }), 1.0);
+  ASSERT_EQ(share([](const grid::Cell& cell) { return cell; }), 1.0);
   double most = 0.0;
   for (int dy = -10; dy <= 10; ++dy) {
     for (int dx = 10; dx <= 250; ++dx) {
-      most = std::max(most, share([&](const Cell& cell) { return Cell{cell.x + dx, cell.y + dy}; }));
+      most = std::max(most, share([&](const grid::Cell& cell) { return grid::Cell{cell.x + dx, cell.y + dy}; }));
     }
   }
   for (int dy = -20; dy <= 20; ++dy) {
     for (int dx = -20; dx <= 20; ++dx) {
-      most = std::max(most, share([&](const Cell& cell) {
-                        return Cell{building.width() - 1 - cell.x + dx, building.height() - 1 - cell.y + dy};
+      most = std::max(most, share([&](const grid::Cell& cell) {
+                        return grid::Cell{building.width() - 1 - cell.x + dx, building.height() - 1 - cell.y + dy};
                       }));
     }
   }
@@ -136,7 +136,7 @@ TEST(OfficeBuilding, hasTheSizeThatIsAskedFor) {
   OfficeBuildingOptions options = withSeed(1, 0.05);
   options.length = 70.0;
   options.width = 18.0;
-  const OccupancyGrid building = officeBuilding(options);
+  const grid::OccupancyGrid building = officeBuilding(options);
   EXPECT_EQ(building.width(), 1400 + 20);  // half a metre around it
   EXPECT_EQ(building.height(), 360 + 20);
   EXPECT_NEAR(building.geometry().T_map_grid.x, -0.5, 1e-12);
@@ -164,9 +164,9 @@ TEST(OfficeBuilding, isTheSameAtEveryResolution) {
 
 TEST(OfficeBuilding, hasNothingButWallsWhenItIsNotFurnished) {
   OfficeBuildingOptions options = withSeed(2);
-  const std::size_t furnished = occupiedCells(officeBuilding(options)).size();
+  const std::size_t furnished = grid::occupiedCells(officeBuilding(options)).size();
   options.furnished = false;
-  const std::size_t bare = occupiedCells(officeBuilding(options)).size();
+  const std::size_t bare = grid::occupiedCells(officeBuilding(options)).size();
   EXPECT_LT(bare, furnished);
   EXPECT_GT(bare, 2U * (2750U + 750U) * 6U);  // more than the outer walls
 }
@@ -184,7 +184,7 @@ TEST(OfficeBuilding, canBeBuiltAtTheLimitsOfItsOptions) {
           options.door_width = 1.2;
           const FloorPlan plan = drawFloorPlan(options);
           options.furnished = false;
-          const OccupancyGrid building = officeBuilding(options);
+          const grid::OccupancyGrid building = officeBuilding(options);
           const std::vector<bool> reached = reachable(building, plan.passages.front().centre(), 0.25);
           for (const Space& space : plan.spaces) {
             EXPECT_GT(countIn(space.walls, building, reached), 0)
@@ -211,4 +211,4 @@ TEST(OfficeBuilding, namesEveryOptionOutOfItsRange) {
 }
 
 }  // namespace
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

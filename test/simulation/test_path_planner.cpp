@@ -9,7 +9,7 @@
 #include "support/ascii_map.hpp"
 #include "support/ray_oracle.hpp"
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 namespace {
 
 using test::asciiMap;
@@ -23,22 +23,22 @@ double lengthOf(const Path& path) {
 }
 
 /// Half a metre a drawn cell, in cells of 5 cm.
-OccupancyGrid twoRooms(const std::string& wall) {
-  return resample(asciiMap({"####################",  //
-                            "#........#.........#",  //
-                            "#........#.........#",  //
-                            "#........#.........#",  //
-                            wall,                    //
-                            wall,                    //
-                            wall,                    //
-                            "#........#.........#",  //
-                            "####################"},
-                           0.5),
-                  0.05);
+grid::OccupancyGrid twoRooms(const std::string& wall) {
+  return grid::resample(asciiMap({"####################",  //
+                                  "#........#.........#",  //
+                                  "#........#.........#",  //
+                                  "#........#.........#",  //
+                                  wall,                    //
+                                  wall,                    //
+                                  wall,                    //
+                                  "#........#.........#",  //
+                                  "####################"},
+                                 0.5),
+                        0.05);
 }
 
 TEST(PathPlanner, findsTheDoorAndKeepsItsClearance) {
-  const OccupancyGrid grid = twoRooms("#..................#");
+  const grid::OccupancyGrid grid = twoRooms("#..................#");
   const World world(grid);
   const PathPlanner planner(world, 0.3);
   const Eigen::Vector2d start(1.2, 3.3);
@@ -87,7 +87,8 @@ TEST(PathPlanner, leavesAPlaceWithLittleClearance) {
 }
 
 TEST(PathPlanner, prefersTheMiddleOfAWideSpaceToItsWalls) {
-  const World world(resample(asciiMap({"##########", "#........#", "#........#", "#........#", "##########"}), 0.05));
+  const World world(
+      grid::resample(asciiMap({"##########", "#........#", "#........#", "#........#", "##########"}), 0.05));
   const auto path = PathPlanner(world, 0.3).plan({1.5, 1.5}, {8.5, 1.5});
   ASSERT_TRUE(path);
   const Eigen::Vector2d middle = (*path)[path->size() / 2];
@@ -110,11 +111,11 @@ TEST(PathPlanner, namesNoPlaceWhereThereIsNone) {
 }
 
 TEST(PathPlanner, worksInATurnedMap) {
-  const Rigid2 T_map_grid{-7.0, 4.0, 2.5};
-  const OccupancyGrid upright = twoRooms("#..................#");
-  GridGeometry geometry = upright.geometry();
+  const grid::Rigid2 T_map_grid{-7.0, 4.0, 2.5};
+  const grid::OccupancyGrid upright = twoRooms("#..................#");
+  grid::GridGeometry geometry = upright.geometry();
   geometry.T_map_grid = T_map_grid;
-  const World world(OccupancyGrid(geometry, upright.values()));
+  const World world(grid::OccupancyGrid(geometry, upright.values()));
   const auto path = PathPlanner(world, 0.3)
                         .plan(T_map_grid * Eigen::Vector2d(1.2, 3.3),  //
                               T_map_grid * Eigen::Vector2d(8.7, 3.2));
@@ -147,7 +148,7 @@ TEST(PathPlanner, findsTheNearestOfSeveralGoals) {
 }
 
 TEST(PathPlanner, leadsFromEverywhereToAGoal) {
-  const OccupancyGrid grid = twoRooms("#..................#");
+  const grid::OccupancyGrid grid = twoRooms("#..................#");
   const World world(grid);
   const PathPlanner planner(world, 0.3);
   const Eigen::Vector2d goal(8.7, 3.2);
@@ -177,19 +178,19 @@ TEST(PathPlanner, leadsNowhereFromOrToPlacesThatCannotBeReached) {
 
 /// A room of 9 m x 3.5 m: its corners cannot be covered by a circle.
 TEST(PathPlanner, knowsTheAreaThatCanBeCovered) {
-  const World world(resample(asciiMap({"####################",  //
-                                       "#..................#",  //
-                                       "#..................#",  //
-                                       "#..................#",  //
-                                       "#..................#",  //
-                                       "#..................#",  //
-                                       "#..................#",  //
-                                       "#..................#",  //
-                                       "####################"},
-                                      0.5),
-                             0.05));
+  const World world(grid::resample(asciiMap({"####################",  //
+                                             "#..................#",  //
+                                             "#..................#",  //
+                                             "#..................#",  //
+                                             "#..................#",  //
+                                             "#..................#",  //
+                                             "#..................#",  //
+                                             "#..................#",  //
+                                             "####################"},
+                                            0.5),
+                                   0.05));
   EXPECT_NEAR(PathPlanner(world, 0.2).coveredArea(), 9.0 * 3.5, 0.9);
 }
 
 }  // namespace
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

@@ -10,13 +10,13 @@
 #include "support/ascii_map.hpp"
 #include "support/thrown_text.hpp"
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 namespace {
 
 constexpr double kPeriod = 1.0 / 15.0;
 
-const OccupancyGrid& building() {
-  static const OccupancyGrid map = officeBuilding({});
+const grid::OccupancyGrid& building() {
+  static const grid::OccupancyGrid map = officeBuilding({});
   return map;
 }
 
@@ -78,8 +78,8 @@ TEST(Pedestrians, areAsManyAsAskedFor) {
 
 /// Some free cells are within furniture and in corners that no body gets into.
 TEST(Pedestrians, areAsDenseAsAskedFor) {
-  const OccupancyGrid& map = building();
-  const auto num_free = std::count(map.values().begin(), map.values().end(), kFree);
+  const grid::OccupancyGrid& map = building();
+  const auto num_free = std::count(map.values().begin(), map.values().end(), grid::kFree);
   const double free_area = static_cast<double>(num_free) * map.resolution() * map.resolution();
   for (const double density : {0.3, 1.0, 3.0}) {
     PedestrianOptions options;
@@ -201,4 +201,4 @@ TEST(Pedestrians, nameEveryOptionOutOfItsRange) {
 }
 
 }  // namespace
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

@@ -12,7 +12,7 @@
 #include "support/ascii_map.hpp"
 #include "support/thrown_text.hpp"
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 namespace {
 
 using test::thrownText;
@@ -39,8 +39,8 @@ struct Hall {
 
   PersonDetector detector() const { return PersonDetector(map, options, RandomNumbers(7)); }
 
-  OccupancyGrid map = test::asciiMap(std::vector<std::string>(30, std::string(30, '.')));
-  Rigid2 T_map_lidar{15.0, 15.0, M_PI / 2.0};
+  grid::OccupancyGrid map = test::asciiMap(std::vector<std::string>(30, std::string(30, '.')));
+  grid::Rigid2 T_map_lidar{15.0, 15.0, M_PI / 2.0};
   LidarOptions lidar_options;
   PersonDetectorOptions options;
 };
@@ -165,7 +165,7 @@ struct Quality {
 };
 
 Quality qualityOf(const DriveOptions& options) {
-  const OccupancyGrid map = officeBuilding({});
+  const grid::OccupancyGrid map = officeBuilding({});
   const World world(map);
   DriveSimulation simulation(map, options);
   double num_in_sight = 0.0;
@@ -176,8 +176,8 @@ Quality qualityOf(const DriveOptions& options) {
   Quality quality;
   std::vector<Eigen::Vector2d> last_false;
   while (const auto step = simulation.next()) {
-    const Rigid2 T_map_lidar = step->T_map_base * simulation.lidarPoses().front();
-    const Rigid2 T_lidar_map = T_map_lidar.inverse();
+    const grid::Rigid2 T_map_lidar = step->T_map_base * simulation.lidarPoses().front();
+    const grid::Rigid2 T_lidar_map = T_map_lidar.inverse();
     LidarOptions exact = options.lidar;
     exact.sigma = 0.0;
     const LidarView view = Lidar(exact, RandomNumbers(1)).scanAmong(legsOf(step->people), world, step->T_map_base);
@@ -282,4 +282,4 @@ TEST(PersonDetector, namesEveryOptionOutOfItsRange) {
 }
 
 }  // namespace
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

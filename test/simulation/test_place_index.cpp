@@ -6,7 +6,7 @@
 #include "map_matcher/simulation/place_index.hpp"
 #include "map_matcher/simulation/random_numbers.hpp"
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 namespace {
 
 TEST(PlaceIndex, findsEverybodyNearEvenBeyondTheBox) {
@@ -36,4 +36,4 @@ TEST(PlaceIndex, forgetsEverybody) {
 }
 
 }  // namespace
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

@@ -6,7 +6,7 @@
 
 #include "map_matcher/simulation/random_numbers.hpp"
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 namespace {
 
 TEST(RandomNumbers, areTheSameOnEveryPlatform) {
@@ -93,4 +93,4 @@ TEST(RandomNumbers, gaussianHaveTheMomentsOfTheNormalDistribution) {
 }
 
 }  // namespace
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

@@ -6,7 +6,7 @@
 #include "map_matcher/simulation/robot.hpp"
 #include "support/thrown_text.hpp"
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 namespace {
 
 using test::thrownText;
@@ -67,8 +67,8 @@ TEST(DifferentialDrive, namesEveryOptionOutOfItsRange) {
 OdometryOptions noNoise() { return {0.0, 0.0, 0.0, 0.0}; }
 
 /// Reads n steps of this motion, in the robot's frame.
-Rigid2 odometryAfter(const OdometryOptions& options, const Rigid2& step, int n, std::uint64_t seed) {
-  Rigid2 T_map_base{3.0, -1.0, 2.0};
+grid::Rigid2 odometryAfter(const OdometryOptions& options, const grid::Rigid2& step, int n, std::uint64_t seed) {
+  grid::Rigid2 T_map_base{3.0, -1.0, 2.0};
   Odometry odometry(options, T_map_base, RandomNumbers(seed));
   for (int i = 0; i < n; ++i) {
     T_map_base = T_map_base * step;
@@ -78,21 +78,22 @@ Rigid2 odometryAfter(const OdometryOptions& options, const Rigid2& step, int n, 
 }
 
 TEST(Odometry, withoutNoiseIsTheTruthFromTheFirstPoseOn) {
-  const Rigid2 start{3.0, -1.0, 2.0};
-  Rigid2 T_map_base = start;
+  const grid::Rigid2 start{3.0, -1.0, 2.0};
+  grid::Rigid2 T_map_base = start;
   Odometry odometry(noNoise(), start, RandomNumbers(1));
-  for (const Rigid2& step : {Rigid2{0.1, 0.01, 0.2}, Rigid2{0.0, 0.0, -1.5}, Rigid2{}, Rigid2{0.3, -0.1, 3.0}}) {
+  for (const grid::Rigid2& step :
+       {grid::Rigid2{0.1, 0.01, 0.2}, grid::Rigid2{0.0, 0.0, -1.5}, grid::Rigid2{}, grid::Rigid2{0.3, -0.1, 3.0}}) {
     T_map_base = T_map_base * step;
     odometry.read(T_map_base);
-    const Rigid2 expected = start.inverse() * T_map_base;
+    const grid::Rigid2 expected = start.inverse() * T_map_base;
     EXPECT_NEAR(odometry.T_odom_base().x, expected.x, 1e-12);
     EXPECT_NEAR(odometry.T_odom_base().y, expected.y, 1e-12);
-    EXPECT_NEAR(normalizeAngle(odometry.T_odom_base().yaw - expected.yaw), 0.0, 1e-12);
+    EXPECT_NEAR(grid::normalizeAngle(odometry.T_odom_base().yaw - expected.yaw), 0.0, 1e-12);
   }
 }
 
 TEST(Odometry, standsStillWithTheRobot) {
-  const Rigid2 pose = odometryAfter({}, {}, 1000, 1);
+  const grid::Rigid2 pose = odometryAfter({}, {}, 1000, 1);
   EXPECT_EQ(pose.x, 0.0);
   EXPECT_EQ(pose.y, 0.0);
   EXPECT_EQ(pose.yaw, 0.0);
@@ -100,7 +101,7 @@ TEST(Odometry, standsStillWithTheRobot) {
 
 /// Root mean square of what an error function says about many readings.
 template <typename ErrorOf>
-double spread(const OdometryOptions& options, const Rigid2& step, const ErrorOf& error_of) {
+double spread(const OdometryOptions& options, const grid::Rigid2& step, const ErrorOf& error_of) {
   constexpr int kReadings = 20000;
   double square = 0.0;
   for (int seed = 0; seed < kReadings; ++seed) {
@@ -111,12 +112,12 @@ double spread(const OdometryOptions& options, const Rigid2& step, const ErrorOf&
 }
 
 TEST(Odometry, noiseFollowsTheMotionModel) {
-  const Rigid2 straight{0.5, 0.0, 0.0};
-  const Rigid2 turn{0.0, 0.0, 0.8};
-  const auto yaw_error = [](const Rigid2& read) { return read.yaw; };
-  const auto turn_error = [](const Rigid2& read) { return read.yaw - 0.8; };
-  const auto distance_error = [](const Rigid2& read) { return read.translation().norm() - 0.5; };
-  const auto distance = [](const Rigid2& read) { return read.translation().norm(); };
+  const grid::Rigid2 straight{0.5, 0.0, 0.0};
+  const grid::Rigid2 turn{0.0, 0.0, 0.8};
+  const auto yaw_error = [](const grid::Rigid2& read) { return read.yaw; };
+  const auto turn_error = [](const grid::Rigid2& read) { return read.yaw - 0.8; };
+  const auto distance_error = [](const grid::Rigid2& read) { return read.translation().norm() - 0.5; };
+  const auto distance = [](const grid::Rigid2& read) { return read.translation().norm(); };
 
   EXPECT_NEAR(spread({0.01, 0.0, 0.0, 0.0}, turn, turn_error), std::sqrt(0.01) * 0.8, 0.002);
   EXPECT_NEAR(spread({0.0, 0.01, 0.0, 0.0}, straight, yaw_error), std::sqrt(2.0 * 0.01) * 0.5, 0.002);  // two turns
@@ -133,4 +134,4 @@ TEST(Odometry, namesEveryOptionOutOfItsRange) {
 }
 
 }  // namespace
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

@@ -6,7 +6,7 @@
 
 #include "map_matcher/simulation/round_obstacles.hpp"
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 namespace {
 
 constexpr double kNothing = std::numeric_limits<double>::infinity();
@@ -82,7 +82,7 @@ TEST(RoundObstacles, areMetAsByTheSlowWay) {
     for (int i = 0; i < 40; ++i) {
       circles.push_back({{random.uniform(-6.0, 6.0), random.uniform(-6.0, 6.0)}, random.uniform(0.03, 0.4)});
     }
-    const Rigid2 T_map_lidar{random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-3.0, 3.0)};
+    const grid::Rigid2 T_map_lidar{random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-3.0, 3.0)};
     const RayFan fan{random.uniform(-6.0, 3.0), 0.0058 * (trial % 2 == 0 ? 1.0 : -1.0), 20.0};
     const std::vector<double> walls(811, 5.0);
     const RaysOnCircles met = castOnCircles(circles, T_map_lidar, fan, walls);
@@ -106,15 +106,15 @@ TEST(RoundObstacles, areMetAsByTheSlowWay) {
 }
 
 /// Seven rays, 10 degrees apart.
-PlanarScan recordedScan() {
+scan::PlanarScan recordedScan() {
   return {-30.0 * kDegree, 10.0 * kDegree, 0.1, 8.0, {3.0F, 3.0F, 1.0F, 3.0F, 0.0F, NAN, 3.0F}};
 }
 
 TEST(InsertedCircles, hideWhatWasRecordedBehindThem) {
   RandomNumbers noise(1);
-  const PlanarScan scan = recordedScan();
+  const scan::PlanarScan scan = recordedScan();
   const LidarView view = insertCircles(scan, {{{2.0, 0.0}, 0.8}}, {}, 0.0, noise);  // spans 23.6 degrees
-  const PlanarScan& among = view.scan;
+  const scan::PlanarScan& among = view.scan;
   EXPECT_EQ(view.rays_on, std::vector<int>{4});
   ASSERT_EQ(among.ranges.size(), 7U);
   EXPECT_EQ(among.ranges[0], 3.0F);
@@ -132,7 +132,7 @@ TEST(InsertedCircles, areMeasuredWithNoise) {
   RandomNumbers noise(1);
   double variance = 0.0;
   for (int i = 0; i < 4000; ++i) {
-    const PlanarScan among = insertCircles(recordedScan(), {{{2.0, 0.0}, 0.1}}, {}, 0.03, noise).scan;
+    const scan::PlanarScan among = insertCircles(recordedScan(), {{{2.0, 0.0}, 0.1}}, {}, 0.03, noise).scan;
     variance += std::pow(static_cast<double>(among.ranges[3]) - 1.9, 2) / 4000.0;
   }
   EXPECT_NEAR(std::sqrt(variance), 0.03, 0.002);
@@ -140,10 +140,10 @@ TEST(InsertedCircles, areMeasuredWithNoise) {
 
 TEST(InsertedCircles, thatAreNotInSightChangeNothing) {
   RandomNumbers noise(1);
-  PlanarScan scan = recordedScan();
+  scan::PlanarScan scan = recordedScan();
   scan.ranges[5] = 2.5F;
   EXPECT_EQ(insertCircles(scan, {{{-2.0, 0.0}, 0.1}, {{6.0, 0.0}, 0.1}}, {}, 0.03, noise).scan.ranges, scan.ranges);
 }
 
 }  // namespace
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

@@ -9,19 +9,19 @@
 #include "support/ascii_map.hpp"
 #include "support/steering_oracle.hpp"
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 namespace {
 
 const World& hall() {
-  static const World world(resample(test::asciiMap({"..........",  //
-                                                    "..........",  //
-                                                    "..........",  //
-                                                    "..........",  //
-                                                    "......#...",  //
-                                                    "..........",  //
-                                                    "..........",  //
-                                                    ".........."}),
-                                    0.05));
+  static const World world(grid::resample(test::asciiMap({"..........",  //
+                                                          "..........",  //
+                                                          "..........",  //
+                                                          "..........",  //
+                                                          "......#...",  //
+                                                          "..........",  //
+                                                          "..........",  //
+                                                          ".........."}),
+                                          0.05));
   return world;
 }
 
@@ -94,4 +94,4 @@ TEST(Steering, decidesAsWhoLooksAtEverybodyAndEveryWall) {
 }
 
 }  // namespace
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

@@ -10,7 +10,7 @@
 #include "support/ascii_map.hpp"
 #include "support/ray_oracle.hpp"
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 namespace {
 
 using test::asciiMap;
@@ -18,22 +18,22 @@ using test::asciiMap;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// A grid with a share of solid and of unknown cells, turned and moved in its map.
-OccupancyGrid randomGrid(double solid, double unknown, RandomNumbers& random) {
-  GridGeometry geometry;
+grid::OccupancyGrid randomGrid(double solid, double unknown, RandomNumbers& random) {
+  grid::GridGeometry geometry;
   geometry.resolution = random.uniform(0.02, 0.1);
   geometry.width = 20 + static_cast<int>(random.index(60));
   geometry.height = 20 + static_cast<int>(random.index(60));
   geometry.T_map_grid = {random.uniform(-5.0, 5.0), 3.0, random.uniform(-M_PI, M_PI)};
-  OccupancyGrid grid(geometry);
+  grid::OccupancyGrid grid(geometry);
   for (int y = 0; y < grid.height(); ++y) {
     for (int x = 0; x < grid.width(); ++x) {
-      grid.at(x, y) = random.chance(solid) ? kOccupied : random.chance(unknown) ? kUnknown : kFree;
+      grid.at(x, y) = random.chance(solid) ? grid::kOccupied : random.chance(unknown) ? grid::kUnknown : grid::kFree;
     }
   }
   return grid;
 }
 
-Eigen::Vector2d randomPoint(const OccupancyGrid& grid, RandomNumbers& random) {
+Eigen::Vector2d randomPoint(const grid::OccupancyGrid& grid, RandomNumbers& random) {
   const double x = random.uniform(0.0, grid.width() * grid.resolution());
   const double y = random.uniform(0.0, grid.height() * grid.resolution());
   return grid.geometry().T_map_grid * Eigen::Vector2d(x, y);
@@ -81,13 +81,13 @@ TEST(World, refusesRaysThatAreNotFinite) {
 }
 
 TEST(World, refusesAThresholdOutOfItsRange) {
-  const OccupancyGrid grid = asciiMap({".#"});
+  const grid::OccupancyGrid grid = asciiMap({".#"});
   EXPECT_THROW(World(grid, 0), std::invalid_argument);
   EXPECT_THROW(World(grid, 101), std::invalid_argument);
 }
 
 TEST(World, cellsFromTheThresholdOnAreSolid) {
-  OccupancyGrid grid = asciiMap({"....."});
+  grid::OccupancyGrid grid = asciiMap({"....."});
   grid.at(2, 0) = 50;
   grid.at(4, 0) = 80;
   EXPECT_DOUBLE_EQ(World(grid).castRay({0.5, 0.5}, 0.0, 20.0), 3.5);
@@ -100,7 +100,7 @@ TEST(World, raysAgreeWithLookingAtEveryCellOfRandomGrids) {
   RandomNumbers random(kSeed);
   int hits = 0;
   for (int i = 0; i < 60; ++i) {
-    const OccupancyGrid grid = randomGrid(random.uniform(0.0, 0.1), 0.1, random);
+    const grid::OccupancyGrid grid = randomGrid(random.uniform(0.0, 0.1), 0.1, random);
     const World world(grid);
     for (int ray = 0; ray < 200; ++ray) {
       const Eigen::Vector2d origin = randomPoint(grid, random);
@@ -124,7 +124,7 @@ TEST(World, raysAgreeWithLookingAtEveryCellOfABuilding) {
   RandomNumbers random(kSeed);
   OfficeBuildingOptions options;
   options.seed = kSeed;
-  const OccupancyGrid building = officeBuilding(options);
+  const grid::OccupancyGrid building = officeBuilding(options);
   const World world(building);
   for (int ray = 0; ray < 60; ++ray) {
     const Eigen::Vector2d origin(random.uniform(0.0, options.length), random.uniform(0.0, options.width));
@@ -139,7 +139,7 @@ TEST(World, clearanceIsLittleLessThanTheTrueDistanceAndIsClearIsExact) {
   SCOPED_TRACE(testing::Message() << "seed " << kSeed);
   RandomNumbers random(kSeed);
   for (int i = 0; i < 40; ++i) {
-    const OccupancyGrid grid = randomGrid(random.uniform(0.0, 0.05), random.uniform(0.0, 0.02), random);
+    const grid::OccupancyGrid grid = randomGrid(random.uniform(0.0, 0.05), random.uniform(0.0, 0.02), random);
     const World world(grid);
     for (int j = 0; j < 200; ++j) {
       const Eigen::Vector2d p = randomPoint(grid, random);
@@ -168,4 +168,4 @@ TEST(World, thereIsNoClearanceInSolidOrUnknownCellsNorOutside) {
 }
 
 }  // namespace
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

@@ -2,7 +2,7 @@
 
 #include "map_matcher/simulation/yielding.hpp"
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 namespace {
 
 constexpr double kPeriod = 0.02;
@@ -55,4 +55,4 @@ TEST(Yielding, letsTheRobotTurnAndLeaveWhereSomebodyIsNear) {
 }
 
 }  // namespace
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

@@ -5,8 +5,8 @@
 #include <atomic>
 #include <memory>
 
-#include "map_matcher/search/deadline.hpp"
-#include "map_matcher/search/stop_token.hpp"
+#include "map_matcher/work/deadline.hpp"
+#include "map_matcher/work/stop_token.hpp"
 
 namespace map_matcher::test {
 
@@ -18,8 +18,8 @@ class Cut {
 
   explicit Cut(long look, Kind kind = Kind::kDeadline) : look_(look), kind_(kind) {}
 
-  Deadline deadline() const {
-    StopToken stop;
+  work::Deadline deadline() const {
+    work::StopToken stop;
     const auto is_over = [looks = looks_, look = look_, kind = kind_, stop]() mutable {
       const bool over = ++*looks >= look;
       if (over && kind == Kind::kStop) {
@@ -27,7 +27,7 @@ class Cut {
       }
       return over;
     };
-    return Deadline(is_over, stop);
+    return work::Deadline(is_over, stop);
   }
 
   /// Whether a search came that far.

@@ -10,21 +10,21 @@
 #include <vector>
 
 #include "map_matcher/grid/rigid2.hpp"
-#include "map_matcher/search/exact_search.hpp"
+#include "map_matcher/search/exact/exact_search.hpp"
 
 namespace map_matcher::test {
 
 /// Which cells of a map, and of a border around it, lie within a tolerance of a wall.
 class HitMap {
  public:
-  HitMap(int width, int height, const std::vector<Cell>& walls, double tolerance)
+  HitMap(int width, int height, const std::vector<grid::Cell>& walls, double tolerance)
       : border_(static_cast<int>(std::ceil(tolerance)) + 1),
         width_(width + 2 * border_),
         height_(height + 2 * border_) {
     for (int y = -border_; y < height + border_; ++y) {
       for (int x = -border_; x < width + border_; ++x) {
         bool hit = false;
-        for (const Cell& wall : walls) {
+        for (const grid::Cell& wall : walls) {
           hit = hit || std::hypot(wall.x - x, wall.y - y) <= tolerance + 1e-6;
         }
         hits_.push_back(hit);
@@ -39,7 +39,7 @@ class HitMap {
            hits_[static_cast<std::size_t>(row * width_ + column)];
   }
 
-  std::int32_t count(const RotatedCells& cells, const Cell& translation) const {
+  std::int32_t count(const search::RotatedCells& cells, const grid::Cell& translation) const {
     std::int32_t count = 0;
     for (std::size_t k = 0; k < cells.x.size(); ++k) {
       count += at(cells.x[k] + translation.x, cells.y[k] + translation.y) ? 1 : 0;
@@ -56,22 +56,23 @@ class HitMap {
 
 /// The best pose and the best one elsewhere.
 struct BestPoses {
-  std::optional<SearchPose> best;
-  std::optional<SearchPose> runner_up;
+  std::optional<search::SearchPose> best;
+  std::optional<search::SearchPose> runner_up;
 };
 
-inline bool firstOfEqual(const SearchPose& a, const SearchPose& b) {
+inline bool firstOfEqual(const search::SearchPose& a, const search::SearchPose& b) {
   return std::make_tuple(-a.count, a.rotation, a.translation.y, a.translation.x) <
          std::make_tuple(-b.count, b.rotation, b.translation.y, b.translation.x);
 }
 
 /// Tries all poses of the problem; without windows, all translations of up to `reach` cells.
-inline BestPoses tryAllPoses(const ExactProblem& problem, const SessionCells& session, const HitMap& hits, int reach) {
-  std::vector<SearchPose> poses;
+inline BestPoses tryAllPoses(const search::ExactProblem& problem, const search::SessionCells& session,
+                             const HitMap& hits, int reach) {
+  std::vector<search::SearchPose> poses;
   for (int n = 0; n < problem.rotations.count(); ++n) {
-    const RotatedCells cells = rotate(session, problem.rotations.angle(n));
-    const SearchWindow window = problem.windows.empty() ? SearchWindow{{-reach, -reach}, {reach, reach}}
-                                                        : problem.windows[static_cast<std::size_t>(n)];
+    const search::RotatedCells cells = search::rotate(session, problem.rotations.angle(n));
+    const search::SearchWindow window = problem.windows.empty() ? search::SearchWindow{{-reach, -reach}, {reach, reach}}
+                                                                : problem.windows[static_cast<std::size_t>(n)];
     for (int y = window.first.y; y <= window.last.y; ++y) {
       for (int x = window.first.x; x <= window.last.x; ++x) {
         poses.push_back({n, {x, y}, hits.count(cells, {x, y})});
@@ -79,19 +80,19 @@ inline BestPoses tryAllPoses(const ExactProblem& problem, const SessionCells& se
     }
   }
   BestPoses result;
-  for (const SearchPose& pose : poses) {
+  for (const search::SearchPose& pose : poses) {
     if (pose.count >= std::max(1, problem.min_count) && (!result.best || firstOfEqual(pose, *result.best))) {
       result.best = pose;
     }
   }
-  for (const SearchPose& pose : poses) {
+  for (const search::SearchPose& pose : poses) {
     if (!result.best) {
       break;
     }
-    const SearchPose& best = *result.best;
+    const search::SearchPose& best = *result.best;
     const double distance =
         std::hypot(pose.translation.x - best.translation.x, pose.translation.y - best.translation.y);
-    const double turn = std::abs(normalizeAngle((pose.rotation - best.rotation) * problem.rotations.step()));
+    const double turn = std::abs(grid::normalizeAngle((pose.rotation - best.rotation) * problem.rotations.step()));
     const bool elsewhere = distance > problem.distinction.distance || turn > problem.distinction.angle;
     const bool enough = pose.count >= std::max(1, best.count - problem.runner_up_gap);
     if (elsewhere && enough && (!result.runner_up || firstOfEqual(pose, *result.runner_up))) {

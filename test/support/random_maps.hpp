@@ -9,10 +9,10 @@
 
 #include "map_matcher/grid/grid_geometry.hpp"
 #include "map_matcher/grid/occupancy_grid.hpp"
-#include "map_matcher/search/branch_and_bound.hpp"
-#include "map_matcher/search/precomputed_grids.hpp"
-#include "map_matcher/search/rotations.hpp"
-#include "map_matcher/search/search_window.hpp"
+#include "map_matcher/search/counting/precomputed_grids.hpp"
+#include "map_matcher/search/counting/rotations.hpp"
+#include "map_matcher/search/counting/search_window.hpp"
+#include "map_matcher/search/two_stage/branch_and_bound.hpp"
 
 namespace map_matcher::test {
 
@@ -26,8 +26,8 @@ inline double randomReal(std::mt19937& random, double low, double high) {
   return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
 }
 
-inline std::vector<Cell> randomCells(std::mt19937& random, int width, int height, int count) {
-  std::vector<Cell> cells;
+inline std::vector<grid::Cell> randomCells(std::mt19937& random, int width, int height, int count) {
+  std::vector<grid::Cell> cells;
   for (int k = 0; k < count; ++k) {
     cells.push_back({randomInt(random, 0, width - 1), randomInt(random, 0, height - 1)});
   }
@@ -35,8 +35,8 @@ inline std::vector<Cell> randomCells(std::mt19937& random, int width, int height
 }
 
 /// Rotated cells around the origin, in [-reach, reach].
-inline RotatedCells randomRotatedCells(std::mt19937& random, int reach, int count) {
-  RotatedCells cells;
+inline search::RotatedCells randomRotatedCells(std::mt19937& random, int reach, int count) {
+  search::RotatedCells cells;
   for (int k = 0; k < count; ++k) {
     cells.x.push_back(static_cast<std::int16_t>(randomInt(random, -reach, reach)));
     cells.y.push_back(static_cast<std::int16_t>(randomInt(random, -reach, reach)));
@@ -45,8 +45,8 @@ inline RotatedCells randomRotatedCells(std::mt19937& random, int reach, int coun
 }
 
 /// Whether a wall lies in [x, x + size) x [y, y + size), by looking at every wall.
-inline bool wallWithin(const std::vector<Cell>& walls, int x, int y, int size) {
-  for (const Cell& wall : walls) {
+inline bool wallWithin(const std::vector<grid::Cell>& walls, int x, int y, int size) {
+  for (const grid::Cell& wall : walls) {
     if (wall.x >= x && wall.x < x + size && wall.y >= y && wall.y < y + size) {
       return true;
     }
@@ -55,7 +55,8 @@ inline bool wallWithin(const std::vector<Cell>& walls, int x, int y, int size) {
 }
 
 /// Cells that, moved by a translation, have value 1 in a level: one by one.
-inline std::int32_t countMatches(const PooledLevel& level, const RotatedCells& cells, const Cell& translation) {
+inline std::int32_t countMatches(const search::PooledLevel& level, const search::RotatedCells& cells,
+                                 const grid::Cell& translation) {
   std::int32_t count = 0;
   for (std::size_t k = 0; k < cells.x.size(); ++k) {
     count += level.at(cells.x[k] + translation.x, cells.y[k] + translation.y);
@@ -64,9 +65,10 @@ inline std::int32_t countMatches(const PooledLevel& level, const RotatedCells& c
 }
 
 /// The first, by rotation, y and x, of the poses of the windows with the most matches, by trying all of them.
-inline SearchPose firstOfTheBest(const PrecomputedGrids& reference, const std::vector<RotatedCells>& rotations,
-                                 const std::vector<SearchWindow>& windows) {
-  SearchPose best;
+inline search::SearchPose firstOfTheBest(const search::PrecomputedGrids& reference,
+                                         const std::vector<search::RotatedCells>& rotations,
+                                         const std::vector<search::SearchWindow>& windows) {
+  search::SearchPose best;
   for (std::size_t n = 0; n < rotations.size(); ++n) {
     for (int y = windows[n].first.y; y <= windows[n].last.y; ++y) {
       for (int x = windows[n].first.x; x <= windows[n].last.x; ++x) {
@@ -81,29 +83,30 @@ inline SearchPose firstOfTheBest(const PrecomputedGrids& reference, const std::v
 }
 
 /// The most matches of any rotation and translation of the windows, by trying all of them.
-inline std::int32_t exhaustiveBest(const PrecomputedGrids& reference, const std::vector<RotatedCells>& rotations,
-                                   const std::vector<SearchWindow>& windows) {
+inline std::int32_t exhaustiveBest(const search::PrecomputedGrids& reference,
+                                   const std::vector<search::RotatedCells>& rotations,
+                                   const std::vector<search::SearchWindow>& windows) {
   return firstOfTheBest(reference, rotations, windows).count;
 }
 
 /// Walls of a building whose rooms are of random sizes: no two places of it look alike.
-inline OccupancyGrid randomBuilding(std::mt19937& random, double width, double height, double resolution,
-                                    const Rigid2& T_map_grid = {}) {
-  GridGeometry geometry;
+inline grid::OccupancyGrid randomBuilding(std::mt19937& random, double width, double height, double resolution,
+                                          const grid::Rigid2& T_map_grid = {}) {
+  grid::GridGeometry geometry;
   geometry.resolution = resolution;
   geometry.width = static_cast<int>(std::lround(width / resolution));
   geometry.height = static_cast<int>(std::lround(height / resolution));
   geometry.T_map_grid = T_map_grid;
-  OccupancyGrid grid(geometry,
-                     std::vector<std::int8_t>(
-                         static_cast<std::size_t>(geometry.width) * static_cast<std::size_t>(geometry.height), kFree));
+  grid::OccupancyGrid grid(
+      geometry, std::vector<std::int8_t>(
+                    static_cast<std::size_t>(geometry.width) * static_cast<std::size_t>(geometry.height), grid::kFree));
   const auto wall = [&grid, resolution](double x, double y, double length, bool along_x) {
     const int n = static_cast<int>(std::lround(length / resolution));
     for (int k = 0; k < n; ++k) {
-      const Cell cell{static_cast<int>(x / resolution) + (along_x ? k : 0),
-                      static_cast<int>(y / resolution) + (along_x ? 0 : k)};
+      const grid::Cell cell{static_cast<int>(x / resolution) + (along_x ? k : 0),
+                            static_cast<int>(y / resolution) + (along_x ? 0 : k)};
       if (grid.geometry().contains(cell)) {
-        grid.at(cell.x, cell.y) = kOccupied;
+        grid.at(cell.x, cell.y) = grid::kOccupied;
       }
     }
   };
@@ -122,21 +125,21 @@ inline OccupancyGrid randomBuilding(std::mt19937& random, double width, double h
 /// What a perfect session of the square of `size` around `centre` looks like in a session map whose frame lies at
 /// T_reference_session: each wall cell of the reference within the square, drawn into the session cell that holds it.
 /// The session grid is `T_session_grid` and as large as it must be.
-inline OccupancyGrid cutSession(const OccupancyGrid& reference, const Eigen::Vector2d& centre, double size,
-                                const Rigid2& T_reference_session, double resolution) {
-  const Rigid2 T_session_reference = T_reference_session.inverse();
+inline grid::OccupancyGrid cutSession(const grid::OccupancyGrid& reference, const Eigen::Vector2d& centre, double size,
+                                      const grid::Rigid2& T_reference_session, double resolution) {
+  const grid::Rigid2 T_session_reference = T_reference_session.inverse();
   const double reach = size;  // holds the square at every angle
   const Eigen::Vector2d middle = T_session_reference * centre;
-  GridGeometry geometry;
+  grid::GridGeometry geometry;
   geometry.resolution = resolution;
   geometry.width = geometry.height = static_cast<int>(std::ceil(2.0 * reach / resolution));
   geometry.T_map_grid = {middle.x() - reach, middle.y() - reach, 0.0};
-  OccupancyGrid session(geometry);
-  const Rigid2 T_reference_map = T_reference_session;
+  grid::OccupancyGrid session(geometry);
+  const grid::Rigid2 T_reference_map = T_reference_session;
   for (int y = 0; y < geometry.height; ++y) {
     for (int x = 0; x < geometry.width; ++x) {
       const Eigen::Vector2d p = T_reference_map * geometry.cellCentre({x, y});
-      const Cell cell = reference.geometry().cellAt(p);
+      const grid::Cell cell = reference.geometry().cellAt(p);
       const bool inside = (p - centre).cwiseAbs().maxCoeff() <= 0.5 * size && reference.geometry().contains(cell);
       if (inside) {
         session.at(x, y) = reference.at(cell.x, cell.y);

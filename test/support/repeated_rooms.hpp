@@ -15,11 +15,11 @@
 namespace map_matcher::test {
 
 /// Cells of a square of `size`, turned about its middle and moved to `middle` [cells]; quarter turns are exact.
-inline std::vector<Cell> turnedCopy(const std::vector<Cell>& room, int size, double angle,
-                                    const Eigen::Vector2d& middle) {
-  const Eigen::Matrix2d R = Rigid2{0.0, 0.0, angle}.rotation();
-  std::vector<Cell> copy;
-  for (const Cell& cell : room) {
+inline std::vector<grid::Cell> turnedCopy(const std::vector<grid::Cell>& room, int size, double angle,
+                                          const Eigen::Vector2d& middle) {
+  const Eigen::Matrix2d R = grid::Rigid2{0.0, 0.0, angle}.rotation();
+  std::vector<grid::Cell> copy;
+  for (const grid::Cell& cell : room) {
     const Eigen::Vector2d p = R * (Eigen::Vector2d(cell.x + 0.5, cell.y + 0.5).array() - 0.5 * size).matrix() + middle;
     copy.push_back({static_cast<int>(std::floor(p.x() + 1e-9)), static_cast<int>(std::floor(p.y() + 1e-9))});
   }
@@ -32,9 +32,9 @@ inline double randomTurn(std::mt19937& random) {
 }
 
 /// Leaves out each cell with a chance of `percent` in a hundred.
-inline std::vector<Cell> thinned(std::mt19937& random, std::vector<Cell> cells, int percent) {
+inline std::vector<grid::Cell> thinned(std::mt19937& random, std::vector<grid::Cell> cells, int percent) {
   cells.erase(
-      std::remove_if(cells.begin(), cells.end(), [&](const Cell&) { return randomInt(random, 0, 99) < percent; }),
+      std::remove_if(cells.begin(), cells.end(), [&](const grid::Cell&) { return randomInt(random, 0, 99) < percent; }),
       cells.end());
   return cells;
 }

@@ -30,9 +30,10 @@ inline double rangeIn(const Room& room, const Eigen::Vector2d& from, double dire
 }
 
 /// A 270 degree scan of the room; the beams of a laser upside down turn clockwise.
-inline PlanarScan scanFrom(const Room& room, const Rigid2& T_world_base, const LaserMount& mount = {}) {
-  PlanarScan scan{-0.75 * M_PI, 1.5 * M_PI / (kNumBeams - 1), 0.05, 20.0, {}};
-  const Rigid2 laser = T_world_base * mount.T_base_laser;
+inline scan::PlanarScan scanFrom(const Room& room, const grid::Rigid2& T_world_base,
+                                 const scan::LaserMount& mount = {}) {
+  scan::PlanarScan scan{-0.75 * M_PI, 1.5 * M_PI / (kNumBeams - 1), 0.05, 20.0, {}};
+  const grid::Rigid2 laser = T_world_base * mount.T_base_laser;
   for (int i = 0; i < kNumBeams; ++i) {
     const double angle = scan.angle_min + i * scan.angle_increment;
     const double direction = laser.yaw + (mount.upside_down ? -angle : angle);

@@ -13,7 +13,8 @@
 namespace map_matcher::test {
 
 /// Way [m] along a heading to the first place near a wall, at most `view`.
-inline double wayToWall(const World& world, const Mover& self, const Eigen::Vector2d& heading, double view) {
+inline double wayToWall(const simulation::World& world, const simulation::Mover& self, const Eigen::Vector2d& heading,
+                        double view) {
   double way = 0.0;
   while (way < view) {
     const Eigen::Vector2d place = self.position + heading * way;
@@ -27,7 +28,8 @@ inline double wayToWall(const World& world, const Mover& self, const Eigen::Vect
 }
 
 /// Way [m] at a velocity to where the two touch; infinity when they do not.
-inline double wayToTouch(const Mover& other, const Mover& self, const Eigen::Vector2d& velocity) {
+inline double wayToTouch(const simulation::Mover& other, const simulation::Mover& self,
+                         const Eigen::Vector2d& velocity) {
   constexpr double kNever = std::numeric_limits<double>::infinity();
   const Eigen::Vector2d offset = other.position - self.position;
   const Eigen::Vector2d closing = velocity - other.velocity;
@@ -43,8 +45,9 @@ inline double wayToTouch(const Mover& other, const Mover& self, const Eigen::Vec
   return discriminant < 0.0 ? kNever : (approach - std::sqrt(discriminant)) / closing.squaredNorm() * velocity.norm();
 }
 
-inline Eigen::Vector2d steerByTheRules(const World& world, const Mover& self, const Eigen::Vector2d& target,
-                                       double speed, const std::vector<Mover>& others) {
+inline Eigen::Vector2d steerByTheRules(const simulation::World& world, const simulation::Mover& self,
+                                       const Eigen::Vector2d& target, double speed,
+                                       const std::vector<simulation::Mover>& others) {
   const Eigen::Vector2d to_target = target - self.position;
   const double view = std::clamp(to_target.norm(), 0.6, 2.5);
   double best_cost = std::numeric_limits<double>::infinity();
@@ -54,7 +57,7 @@ inline Eigen::Vector2d steerByTheRules(const World& world, const Mover& self, co
     const double angle = std::atan2(to_target.y(), to_target.x()) + turn;
     const Eigen::Vector2d heading(std::cos(angle), std::sin(angle));
     double free = wayToWall(world, self, heading, view);
-    for (const Mover& other : others) {
+    for (const simulation::Mover& other : others) {
       free = std::min(free, wayToTouch(other, self, heading * speed));
     }
     const double used = std::min(free, view * std::cos(turn));

@@ -20,10 +20,10 @@ TEST(GenerateBuilding, writesTheMapOfTheSeed) {
   const ProgramRun run = generateBuilding("--seed 3 --resolution 0.05 --output " + dir / "office.yaml");
   ASSERT_EQ(run.exit_status, 0) << run.output;
   EXPECT_NE(run.output.find("1120 x 320 cells of 0.05 m, seed 3"), std::string::npos) << run.output;
-  OfficeBuildingOptions options;
+  simulation::OfficeBuildingOptions options;
   options.seed = 3;
   options.resolution = 0.05;
-  EXPECT_EQ(loadMap(dir / "office.yaml").values(), officeBuilding(options).values());
+  EXPECT_EQ(grid::loadMap(dir / "office.yaml").values(), simulation::officeBuilding(options).values());
 }
 
 TEST(GenerateBuilding, tellsItsOptionsWithTheirRangesAndDefaults) {

@@ -33,9 +33,9 @@ class MatchMaps : public testing::Test {
 
   void SetUp() override {
     std::mt19937 random(3);
-    const OccupancyGrid building = test::randomBuilding(random, 24.0, 12.0, 0.05);
-    saveMap(building, file("reference.yaml"));
-    saveMap(test::cutSession(building, {11.0, 6.0}, 8.0, truth_, 0.05), file("session.yaml"));
+    const grid::OccupancyGrid building = test::randomBuilding(random, 24.0, 12.0, 0.05);
+    grid::saveMap(building, file("reference.yaml"));
+    grid::saveMap(test::cutSession(building, {11.0, 6.0}, 8.0, truth_, 0.05), file("session.yaml"));
   }
 
   std::string file(const std::string& name) const { return dir_ / name; }
@@ -52,7 +52,7 @@ class MatchMaps : public testing::Test {
   }
 
   test::TemporaryDir dir_;
-  const Rigid2 truth_{2.0, -1.0, 0.8};
+  const grid::Rigid2 truth_{2.0, -1.0, 0.8};
 };
 
 TEST_F(MatchMaps, PrintsNothingButTheResultAsJsonWhenAskedTo) {

@@ -21,13 +21,13 @@ class ScrubBag : public testing::Test {
     return done;
   }
 
-  MapQuality qualityOf(const std::string& session_file) const {
-    const OccupancyGrid session = loadMap(session_file);
-    MapMatcher matcher;
-    matcher.setReference(loadMap(office));
-    const MatchResult match = matcher.match(session);
+  evaluation::MapQuality qualityOf(const std::string& session_file) const {
+    const grid::OccupancyGrid session = grid::loadMap(session_file);
+    search::MapMatcher matcher;
+    matcher.setReference(grid::loadMap(office));
+    const search::MatchResult match = matcher.match(session);
     EXPECT_TRUE(match.matched()) << match.reason;
-    return mapQuality(loadMap(office), session, match.T_reference_session, 0.15);
+    return evaluation::mapQuality(grid::loadMap(office), session, match.T_reference_session, 0.15);
   }
 
   const test::TemporaryDir dir;

@@ -22,13 +22,13 @@ using test::ProgramRun;
 class SimulateDrive : public testing::Test {
  protected:
   void SetUp() override {
-    saveMap(test::asciiMap({"##########",  //
-                            "#........#",  //
-                            "#........#",  //
-                            "#........#",  //
-                            "##########"},
-                           0.5),
-            map_);
+    grid::saveMap(test::asciiMap({"##########",  //
+                                  "#........#",  //
+                                  "#........#",  //
+                                  "#........#",  //
+                                  "##########"},
+                                 0.5),
+                  map_);
   }
 
   static ProgramRun run(const std::string& arguments) { return test::runProgram(SIMULATE_DRIVE, arguments); }

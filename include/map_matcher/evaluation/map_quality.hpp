@@ -4,7 +4,7 @@
 
 #include "map_matcher/grid/occupancy_grid.hpp"
 
-namespace map_matcher {
+namespace map_matcher::evaluation {
 
 /// Occupied cells of a session map by what is really there.
 struct MapQuality {
@@ -16,7 +16,8 @@ struct MapQuality {
 
 /// Compares the occupied cells (>= `occupied_threshold` percent) of `session`, placed at `T_true_session`, with the
 /// true map. `tolerance` [m], at least 0, for the noise of the laser and of the pose.
-MapQuality mapQuality(const OccupancyGrid& true_map, const OccupancyGrid& session, const Rigid2& T_true_session,
-                      double tolerance, std::int8_t occupied_threshold = kDefaultOccupiedThreshold);
+MapQuality mapQuality(const grid::OccupancyGrid& true_map, const grid::OccupancyGrid& session,
+                      const grid::Rigid2& T_true_session, double tolerance,
+                      std::int8_t occupied_threshold = grid::kDefaultOccupiedThreshold);
 
-}  // namespace map_matcher
+}  // namespace map_matcher::evaluation

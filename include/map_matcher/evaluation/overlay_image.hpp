@@ -8,14 +8,14 @@
 
 #include "map_matcher/grid/occupancy_grid.hpp"
 
-namespace map_matcher {
+namespace map_matcher::evaluation {
 
 /// Draws the reference map in grey and, when there is a pose, the occupied session cells at it: red where they lie on
 /// walls of the reference, blue where they do not. The picture shows the walls and cells with a margin of 1 m, north up
 /// in the reference grid's axes, and is enlarged to at least 1000 pixels along its longer side. The format follows the
 /// ending of `path` (.png recommended). Throws std::runtime_error when the file cannot be written.
-void writeOverlayImage(const std::string& path, const OccupancyGrid& reference, const OccupancyGrid& session,
-                       const std::optional<Rigid2>& T_reference_session,
-                       std::int8_t occupied_threshold = kDefaultOccupiedThreshold);
+void writeOverlayImage(const std::string& path, const grid::OccupancyGrid& reference,
+                       const grid::OccupancyGrid& session, const std::optional<grid::Rigid2>& T_reference_session,
+                       std::int8_t occupied_threshold = grid::kDefaultOccupiedThreshold);
 
-}  // namespace map_matcher
+}  // namespace map_matcher::evaluation

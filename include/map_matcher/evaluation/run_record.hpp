@@ -10,7 +10,7 @@
 #include "map_matcher/evaluation/trajectory_error.hpp"
 #include "map_matcher/files/output_file.hpp"
 
-namespace map_matcher {
+namespace map_matcher::evaluation {
 
 /// A file of a run that cannot be written; the message names it.
 class RunRecordError : public std::runtime_error {
@@ -20,9 +20,9 @@ class RunRecordError : public std::runtime_error {
 
 /// One moment of a run.
 struct RunRow {
-  PoseSample sample;                          ///< Truth and estimate in the reference map frame.
-  std::optional<Rigid2> T_reference_session;  ///< The alignment of the maps at that time (report figure 10b).
-  std::optional<double> ratio;                ///< Share of matched cells of the latest match [0 to 1] (figure 10a).
+  PoseSample sample;                                ///< Truth and estimate in the reference map frame.
+  std::optional<grid::Rigid2> T_reference_session;  ///< The alignment of the maps at that time (report figure 10b).
+  std::optional<double> ratio;  ///< Share of matched cells of the latest match [0 to 1] (figure 10a).
 };
 
 /// Keeps the samples of a run, and writes each of its moments into a CSV file as it comes, with a header line:
@@ -44,7 +44,7 @@ class RunRecord {
   const std::vector<PoseSample>& samples() const { return samples_; }
 
  private:
-  std::optional<OutputFile> file_;
+  std::optional<files::OutputFile> file_;
   std::vector<PoseSample> samples_;
 };
 
@@ -55,4 +55,4 @@ std::string toJson(const TrajectoryError& error);
 /// Writes toJson() into a file. Throws RunRecordError.
 void writeSummary(const TrajectoryError& error, const std::string& path);
 
-}  // namespace map_matcher
+}  // namespace map_matcher::evaluation

@@ -7,19 +7,19 @@
 
 #include "map_matcher/grid/rigid2.hpp"
 
-namespace map_matcher {
+namespace map_matcher::evaluation {
 
 /// A pose at a time [s].
 struct StampedPose {
   double time = 0.0;
-  Rigid2 pose;
+  grid::Rigid2 pose;
 };
 
 /// The true pose at a time, and the estimate when there was one; both in the same frame.
 struct PoseSample {
-  double time = 0.0;               ///< [s]
-  Rigid2 truth;                    ///< Where the robot was.
-  std::optional<Rigid2> estimate;  ///< Where it was thought to be.
+  double time = 0.0;                     ///< [s]
+  grid::Rigid2 truth;                    ///< Where the robot was.
+  std::optional<grid::Rigid2> estimate;  ///< Where it was thought to be.
 };
 
 /// Difference of an estimate from the truth, as magnitudes.
@@ -29,7 +29,7 @@ struct PoseError {
 };
 
 /// Distance and angle between two poses of the same frame.
-PoseError errorOf(const Rigid2& estimate, const Rigid2& truth);
+PoseError errorOf(const grid::Rigid2& estimate, const grid::Rigid2& truth);
 
 /// Figures of a set of errors, in the unit of the errors.
 struct ErrorStatistics {
@@ -56,4 +56,4 @@ struct TrajectoryError {
 /// Figures of a run. Samples are in the order of time.
 TrajectoryError evaluateTrajectory(const std::vector<PoseSample>& samples);
 
-}  // namespace map_matcher
+}  // namespace map_matcher::evaluation

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace map_matcher {
+namespace map_matcher::files {
 
 /// A file that cannot be written; the message names the file and the reason.
 class OutputFileError : public std::runtime_error {
@@ -67,4 +67,4 @@ void removePendingFiles() noexcept;
 /// place in the same directory. Devices and pipes are never one file.
 bool isSameFile(const std::string& a, const std::string& b);
 
-}  // namespace map_matcher
+}  // namespace map_matcher::files

@@ -6,7 +6,7 @@
 
 #include "map_matcher/grid/rigid2.hpp"
 
-namespace map_matcher {
+namespace map_matcher::grid {
 
 /// Column and row of a cell. x counts columns, y counts rows, both from the lower left corner [cells].
 struct Cell {
@@ -38,4 +38,4 @@ struct GridGeometry {
   void validate() const;
 };
 
-}  // namespace map_matcher
+}  // namespace map_matcher::grid

@@ -7,7 +7,7 @@
 
 #include "map_matcher/grid/occupancy_grid.hpp"
 
-namespace map_matcher {
+namespace map_matcher::grid {
 
 /// A map file that cannot be read or written; the message names the file, the key, its value and what was expected.
 class MapFileError : public std::runtime_error {
@@ -38,4 +38,4 @@ void saveMap(const OccupancyGrid& grid, const std::string& yaml_path, MapMode mo
 /// Path of the image that saveMap() writes beside `yaml_path`.
 std::string imageWrittenWith(const std::string& yaml_path);
 
-}  // namespace map_matcher
+}  // namespace map_matcher::grid

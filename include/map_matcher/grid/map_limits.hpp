@@ -7,7 +7,7 @@
 
 #include "map_matcher/grid/grid_geometry.hpp"
 
-namespace map_matcher {
+namespace map_matcher::grid {
 
 constexpr double kMinMapResolution = 0.001;                     ///< [m]
 constexpr double kMaxMapResolution = 10.0;                      ///< [m]
@@ -18,4 +18,4 @@ constexpr std::int64_t kMostMapCells = std::int64_t{1} << 28U;  ///< 800 m x 800
 /// valid (GridGeometry::validate()) and within the limits.
 void requireMapLimits(const GridGeometry& geometry);
 
-}  // namespace map_matcher
+}  // namespace map_matcher::grid

@@ -6,7 +6,7 @@
 
 #include "map_matcher/grid/occupancy_grid.hpp"
 
-namespace map_matcher {
+namespace map_matcher::grid {
 
 /// The places of a map that are within a distance of a wall. Immutable, hence thread-safe.
 class NearWalls {
@@ -23,4 +23,4 @@ class NearWalls {
   std::vector<std::uint8_t> near_wall_;  // row-major
 };
 
-}  // namespace map_matcher
+}  // namespace map_matcher::grid

@@ -8,7 +8,7 @@
 
 #include "map_matcher/grid/grid_geometry.hpp"
 
-namespace map_matcher {
+namespace map_matcher::grid {
 
 /// Value of a cell that was never observed. It is a state of its own: neither free nor occupied.
 constexpr std::int8_t kUnknown = -1;
@@ -52,4 +52,4 @@ class OccupancyGrid {
   std::vector<std::int8_t> values_;
 };
 
-}  // namespace map_matcher
+}  // namespace map_matcher::grid

@@ -6,7 +6,7 @@
 
 #include "map_matcher/grid/occupancy_grid.hpp"
 
-namespace map_matcher {
+namespace map_matcher::grid {
 
 /// The grid at another resolution [m], same origin, large enough to cover the old one. Each new cell takes the largest
 /// value of the old cells it overlaps, so an occupied cell is never lost, a cell is unknown only when all it covers is
@@ -15,4 +15,4 @@ namespace map_matcher {
 /// is made, and may throw to give the work up.
 OccupancyGrid resample(const OccupancyGrid& grid, double resolution, const std::function<void()>& before_row = {});
 
-}  // namespace map_matcher
+}  // namespace map_matcher::grid

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-namespace map_matcher {
+namespace map_matcher::grid {
 
 /// Normalises an angle [rad] to (-pi, pi].
 double normalizeAngle(double angle);
@@ -31,4 +31,4 @@ Rigid2 operator*(const Rigid2& T_a_b, const Rigid2& T_b_c);
 /// p_a = T_a_b * p_b [m].
 Eigen::Vector2d operator*(const Rigid2& T_a_b, const Eigen::Vector2d& p_b);
 
-}  // namespace map_matcher
+}  // namespace map_matcher::grid

@@ -9,11 +9,11 @@
 #include "map_matcher/localization/monte_carlo_options.hpp"
 #include "map_matcher/scan/planar_scan.hpp"
 
-namespace map_matcher {
+namespace map_matcher::localization {
 
 /// Where the particles are.
 struct MonteCarloEstimate {
-  Rigid2 T_map_base;                ///< Their mean, moved on by the odometry since they were last weighed.
+  grid::Rigid2 T_map_base;          ///< Their mean, moved on by the odometry since they were last weighed.
   double position_deviation = 0.0;  ///< [m] Root of the sum of their variances along x and y.
   double yaw_deviation = 0.0;       ///< [rad] Standard deviation of their yaw.
   int particles = 0;                ///< How many there are.
@@ -27,7 +27,7 @@ struct MonteCarloEstimate {
 class MonteCarloLocalizer {
  public:
   /// Throws std::invalid_argument that names every option out of range, or says that the map has no free cell.
-  explicit MonteCarloLocalizer(const OccupancyGrid& map, const MonteCarloOptions& options = {});
+  explicit MonteCarloLocalizer(const grid::OccupancyGrid& map, const MonteCarloOptions& options = {});
   ~MonteCarloLocalizer();
   MonteCarloLocalizer(const MonteCarloLocalizer&) = delete;
   MonteCarloLocalizer& operator=(const MonteCarloLocalizer&) = delete;
@@ -38,7 +38,7 @@ class MonteCarloLocalizer {
   /// Takes the pose of the base in the odometry frame and the scans of all lasers at that time. Returns whether they
   /// were used: the first ones, and then those after enough motion, when any beam measured something. Throws
   /// std::invalid_argument for a pose that is not finite or a scan that is not valid.
-  bool add(const Rigid2& T_odom_base, const std::vector<MountedScan>& scans);
+  bool add(const grid::Rigid2& T_odom_base, const std::vector<scan::MountedScan>& scans);
 
   MonteCarloEstimate estimate() const;
 
@@ -47,4 +47,4 @@ class MonteCarloLocalizer {
   std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace map_matcher
+}  // namespace map_matcher::localization

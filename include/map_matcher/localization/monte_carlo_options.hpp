@@ -8,7 +8,7 @@
 
 #include "map_matcher/parameters/parameter.hpp"
 
-namespace map_matcher {
+namespace map_matcher::localization {
 
 /// Options of a MonteCarloLocalizer. Names, meanings and defaults are those of amcl (package amcl of the ROS navigation
 /// stack) where it has such a parameter, but for the number of particles, which a start without a pose needs more of,
@@ -41,9 +41,9 @@ struct MonteCarloOptions {
 };
 
 /// The parameters that fill `options`, all but the seed.
-ParameterList parametersOf(MonteCarloOptions& options);
+parameters::ParameterList parametersOf(MonteCarloOptions& options);
 
 /// What is wrong with the options, one line each; empty when they can be used.
 std::vector<std::string> problemsWith(const MonteCarloOptions& options);
 
-}  // namespace map_matcher
+}  // namespace map_matcher::localization

@@ -7,7 +7,7 @@
 
 #include "map_matcher/scan/planar_scan.hpp"
 
-namespace map_matcher {
+namespace map_matcher::mapping {
 
 /// How far beams are believed; slam_gmapping's parameters of the same names.
 struct BeamLimits {
@@ -30,12 +30,12 @@ struct BeamFan {
 /// The beams of a scan in the base frame, read as slam_gmapping reads them: nan and +inf say nothing; a range below
 /// range_min (0 and -inf too) counts as range_max; a range above max_range says nothing, one above max_urange clears.
 /// The number of ranges may change from scan to scan. Throws std::invalid_argument for a scan that is not valid.
-BeamFan castBeams(const PlanarScan& scan, const LaserMount& mount, const BeamLimits& limits);
+BeamFan castBeams(const scan::PlanarScan& scan, const scan::LaserMount& mount, const BeamLimits& limits);
 
 /// The fan in frame a, given the fan in frame b.
-BeamFan transform(const Rigid2& T_a_b, const BeamFan& fan);
+BeamFan transform(const grid::Rigid2& T_a_b, const BeamFan& fan);
 
 /// Number of beams that end at a wall.
 int countHits(const BeamFan& fan);
 
-}  // namespace map_matcher
+}  // namespace map_matcher::mapping

@@ -8,7 +8,7 @@
 #include "map_matcher/grid/occupancy_grid.hpp"
 #include "map_matcher/mapping/beams.hpp"
 
-namespace map_matcher {
+namespace map_matcher::mapping {
 
 /// A rectangle of a frame [m].
 struct Extent {
@@ -35,7 +35,7 @@ class HitCountingGrid {
 
   /// The counts as a map: kUnknown where no beam came, kOccupied where hits / visits > `occupied_threshold` [0 to 1],
   /// kFree elsewhere. Its origin has yaw 0.
-  OccupancyGrid toOccupancyGrid(double occupied_threshold) const;
+  grid::OccupancyGrid toOccupancyGrid(double occupied_threshold) const;
 
  private:
   struct Counts {
@@ -43,16 +43,16 @@ class HitCountingGrid {
     std::uint16_t visits = 0;  // beams that crossed this cell or ended here
   };
 
-  Cell latticeCell(const Eigen::Vector2d& point) const;
-  bool growTo(const Cell& lower, const Cell& upper);
+  grid::Cell latticeCell(const Eigen::Vector2d& point) const;
+  bool growTo(const grid::Cell& lower, const grid::Cell& upper);
   void drawBeam(const Eigen::Vector2d& origin, const Beam& beam);
-  Counts& at(const Cell& lattice_cell);
+  Counts& at(const grid::Cell& lattice_cell);
 
   double resolution_;
-  Cell first_;  // lattice index of the lower left cell
+  grid::Cell first_;  // lattice index of the lower left cell
   int width_;
   int height_;
   std::vector<Counts> counts_;  // row-major from the lower left
 };
 
-}  // namespace map_matcher
+}  // namespace map_matcher::mapping

@@ -10,7 +10,7 @@
 #include "map_matcher/mapping/session_mapper_options.hpp"
 #include "map_matcher/scan/planar_scan.hpp"
 
-namespace map_matcher {
+namespace map_matcher::mapping {
 
 /// What became of a scan.
 enum class ScanOutcome {
@@ -49,19 +49,19 @@ class SessionMapper {
   /// Takes a scan, and the pose of the base in the odometry frame at the time of the scan. Scans come in the order of
   /// time; the number of their beams and the mount may change. Throws std::invalid_argument for a pose that is not
   /// finite or a scan that is not valid; the mapper is then as before.
-  ScanReport addScan(const Rigid2& T_odom_base, const PlanarScan& scan, const LaserMount& mount);
+  ScanReport addScan(const grid::Rigid2& T_odom_base, const scan::PlanarScan& scan, const scan::LaserMount& mount);
 
   /// Whether a scan was drawn since the start or the last reset().
   bool hasMap() const;
 
   /// Pose of the base at the last scan; identity before the first.
-  Rigid2 T_session_base() const;
+  grid::Rigid2 T_session_base() const;
 
   /// The correction of the odometry: T_session_base = T_session_odom * T_odom_base. Identity before the first scan.
-  Rigid2 T_session_odom() const;
+  grid::Rigid2 T_session_odom() const;
 
   /// The map with values kUnknown, kFree and kOccupied; nullopt before the first scan was drawn.
-  std::optional<OccupancyGrid> map() const;
+  std::optional<grid::OccupancyGrid> map() const;
 
   /// Forgets everything but the options: the next scan begins a new session.
   void reset();
@@ -71,4 +71,4 @@ class SessionMapper {
   std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace map_matcher
+}  // namespace map_matcher::mapping

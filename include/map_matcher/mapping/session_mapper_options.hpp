@@ -7,7 +7,7 @@
 
 #include "map_matcher/parameters/parameter.hpp"
 
-namespace map_matcher {
+namespace map_matcher::mapping {
 
 /// Iterative closest point (ICP) matching of scans to what was drawn before. The defaults left 0.04 m of median path
 /// error on 132 real slices of 8 to 15 m.
@@ -38,9 +38,9 @@ struct SessionMapperOptions {
 };
 
 /// The parameters that fill `options`, by the names they have in config/session_mapper.yaml.
-ParameterList parametersOf(SessionMapperOptions& options);
+parameters::ParameterList parametersOf(SessionMapperOptions& options);
 
 /// What is wrong with the options, one line each: "NAME is VALUE, expected RANGE"; empty when they can be used.
 std::vector<std::string> problemsWith(const SessionMapperOptions& options);
 
-}  // namespace map_matcher
+}  // namespace map_matcher::mapping

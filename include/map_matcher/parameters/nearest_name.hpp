@@ -8,7 +8,7 @@
 
 #include "map_matcher/parameters/parameter.hpp"
 
-namespace map_matcher {
+namespace map_matcher::parameters {
 
 /// The known name that `name` was most likely meant to be; none when all differ by more than a third of their letters.
 std::optional<std::string> nearestName(const std::string& name, const std::vector<std::string>& known);
@@ -16,4 +16,4 @@ std::optional<std::string> nearestName(const std::string& name, const std::vecto
 /// The same among the names of parameters.
 std::optional<std::string> nearestName(const std::string& name, const ParameterList& parameters);
 
-}  // namespace map_matcher
+}  // namespace map_matcher::parameters

@@ -7,7 +7,7 @@
 
 #include "map_matcher/parameters/parameter.hpp"
 
-namespace map_matcher {
+namespace map_matcher::parameters {
 
 /// One sentence for each parameter out of its range: "name is VALUE, expected RANGE".
 std::vector<std::string> problemsOf(const ParameterList& parameters);
@@ -15,4 +15,4 @@ std::vector<std::string> problemsOf(const ParameterList& parameters);
 /// Throws std::invalid_argument with all problems, joined by "; ", when there are any.
 void throwIfAny(const std::vector<std::string>& problems);
 
-}  // namespace map_matcher
+}  // namespace map_matcher::parameters

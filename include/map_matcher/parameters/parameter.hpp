@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-namespace map_matcher {
+namespace map_matcher::parameters {
 
 /// A named option. It points at a field of an options struct, which must outlive it.
 struct Parameter {
@@ -32,4 +32,4 @@ std::string valueText(const Parameter& parameter);
 /// What is allowed, in words: "0 to 1", "trinary | scale | raw", "true | false", "a list of texts".
 std::string rangeText(const Parameter& parameter);
 
-}  // namespace map_matcher
+}  // namespace map_matcher::parameters

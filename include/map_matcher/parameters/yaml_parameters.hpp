@@ -6,7 +6,7 @@
 
 #include "map_matcher/parameters/parameter.hpp"
 
-namespace map_matcher {
+namespace map_matcher::parameters {
 
 /// Fills the fields that `parameters` points at from the top-level keys of a YAML file such as config/map_matcher.yaml;
 /// what the file does not name keeps its value. Throws std::invalid_argument with the file's name and everything that
@@ -14,4 +14,4 @@ namespace map_matcher {
 /// VALUE, expected RANGE"), or there is no parameter of a name.
 void loadYamlParameters(const std::string& path, const ParameterList& parameters);
 
-}  // namespace map_matcher
+}  // namespace map_matcher::parameters

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace map_matcher {
+namespace map_matcher::scan {
 
 /// A range of beams: from `begin` up to, but without, `end`.
 struct BeamRange {
@@ -46,4 +46,4 @@ void visitBeamsNear(double angle_min, double angle_increment, std::size_t num_be
   }
 }
 
-}  // namespace map_matcher
+}  // namespace map_matcher::scan

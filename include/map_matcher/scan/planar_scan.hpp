@@ -6,7 +6,7 @@
 
 #include "map_matcher/grid/rigid2.hpp"
 
-namespace map_matcher {
+namespace map_matcher::scan {
 
 /// Where the beams of a scan point and how far they reach, as sensor_msgs/LaserScan has it. Beam i points along
 /// angle_min + i * angle_increment in the laser frame, counter-clockwise about the laser's z axis.
@@ -33,8 +33,8 @@ struct PlanarScan : ScanLayout {
 
 /// How a laser sits on the robot. It scans in a plane parallel to the floor.
 struct LaserMount {
-  Rigid2 T_base_laser;       ///< Pose of the laser in the base frame, seen from above.
-  bool upside_down = false;  ///< Whether its z axis points down, so that its beams turn clockwise seen from above.
+  grid::Rigid2 T_base_laser;  ///< Pose of the laser in the base frame, seen from above.
+  bool upside_down = false;   ///< Whether its z axis points down, so that its beams turn clockwise seen from above.
 };
 
 /// A scan of one of a robot's lasers.
@@ -43,4 +43,4 @@ struct MountedScan {
   LaserMount mount;
 };
 
-}  // namespace map_matcher
+}  // namespace map_matcher::scan

@@ -11,7 +11,7 @@
 #include "map_matcher/scrubbing/detections.hpp"
 #include "map_matcher/scrubbing/scan_scrubber.hpp"
 
-namespace map_matcher {
+namespace map_matcher::scrubbing {
 
 /// Where and how long detections apply. Ranges stand in parametersOf(ScrubbingOptions&).
 struct CacheOptions {
@@ -52,4 +52,4 @@ class DetectionCache {
   std::vector<Disc> discs_;  // a member, so that its memory is used again
 };
 
-}  // namespace map_matcher
+}  // namespace map_matcher::scrubbing

@@ -8,7 +8,7 @@
 
 #include "map_matcher/scrubbing/detections.hpp"
 
-namespace map_matcher {
+namespace map_matcher::scrubbing {
 
 /// How a detection came into the frame of a scan, best first.
 enum class PosePath {
@@ -76,4 +76,4 @@ class DetectionPoses {
   std::string fixed_frame_;
 };
 
-}  // namespace map_matcher
+}  // namespace map_matcher::scrubbing

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace map_matcher {
+namespace map_matcher::scrubbing {
 
 /// Time since the epoch of whoever stamps, exact to the nanosecond, so that stamps can be compared for equality.
 using Stamp = std::chrono::nanoseconds;
@@ -59,4 +59,4 @@ using Veto = std::function<bool(const Detection&)>;
 /// Takes the false detections out of the set and returns how many those were; none without a veto.
 int applyVeto(DetectionSet& set, const Veto& veto);
 
-}  // namespace map_matcher
+}  // namespace map_matcher::scrubbing

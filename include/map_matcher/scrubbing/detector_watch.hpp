@@ -10,7 +10,7 @@
 
 #include "map_matcher/scrubbing/detections.hpp"
 
-namespace map_matcher {
+namespace map_matcher::scrubbing {
 
 /// How well a detector does.
 enum class DetectorHealth {
@@ -82,4 +82,4 @@ class DetectorWatch {
   std::map<std::string, DetectorRecord> records_;
 };
 
-}  // namespace map_matcher
+}  // namespace map_matcher::scrubbing

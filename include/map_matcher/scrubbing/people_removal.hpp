@@ -16,7 +16,7 @@
 #include "map_matcher/scrubbing/scrubbing_options.hpp"
 #include "map_matcher/scrubbing/waiting_scans.hpp"
 
-namespace map_matcher {
+namespace map_matcher::scrubbing {
 
 /// What became of a set of detections.
 struct AddedDetections {
@@ -81,4 +81,4 @@ class PeopleRemoval {
   Stamp newest_scan_{0};
 };
 
-}  // namespace map_matcher
+}  // namespace map_matcher::scrubbing

@@ -9,7 +9,7 @@
 #include "map_matcher/scrubbing/scan_scrubber.hpp"
 #include "map_matcher/scrubbing/scrubbing_options.hpp"
 
-namespace map_matcher {
+namespace map_matcher::scrubbing {
 
 /// What became of the ranges of a scan.
 struct RangeRemoval {
@@ -22,7 +22,7 @@ struct RangeRemoval {
 /// Removes the points in the discs (report section 2.2): each becomes removedRange(). When more than
 /// max_removed_fraction of the points would go, none goes. `scrubber` finds them, and keeps the points afterwards. The
 /// layout and the options must be valid.
-RangeRemoval removeRanges(const ScanLayout& layout, const std::vector<float>& ranges, const std::vector<Disc>& discs,
-                          const ScrubbingOptions& options, ScanScrubber& scrubber);
+RangeRemoval removeRanges(const scan::ScanLayout& layout, const std::vector<float>& ranges,
+                          const std::vector<Disc>& discs, const ScrubbingOptions& options, ScanScrubber& scrubber);
 
-}  // namespace map_matcher
+}  // namespace map_matcher::scrubbing

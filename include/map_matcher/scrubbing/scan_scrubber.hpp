@@ -9,7 +9,7 @@
 #include "map_matcher/scan/beams_near.hpp"
 #include "map_matcher/scan/planar_scan.hpp"
 
-namespace map_matcher {
+namespace map_matcher::scrubbing {
 
 /// A circle around a detected person, in the laser frame.
 struct Disc {
@@ -24,10 +24,10 @@ class ScanScrubber {
   /// Indices of the beams whose points lie in a disc, in rising order. A beam whose range is not finite or not within
   /// [range_min, range_max] measured no point. Discs that are not finite hold no point. The layout must be valid. The
   /// reference holds until the next call.
-  const std::vector<std::uint32_t>& beamsInside(const ScanLayout& layout, const std::vector<float>& ranges,
+  const std::vector<std::uint32_t>& beamsInside(const scan::ScanLayout& layout, const std::vector<float>& ranges,
                                                 const std::vector<Disc>& discs);
 
-  const ScanLayout& layout() const { return layout_; }  ///< Of the last scan.
+  const scan::ScanLayout& layout() const { return layout_; }  ///< Of the last scan.
 
   /// Number of points that the last scan measured.
   int numPoints() const { return num_points_; }
@@ -36,12 +36,12 @@ class ScanScrubber {
   Eigen::Vector2d point(std::uint32_t beam) const { return {x_[beam], y_[beam]}; }
 
  private:
-  void prepareDirections(const ScanLayout& layout, std::size_t num_beams);
+  void prepareDirections(const scan::ScanLayout& layout, std::size_t num_beams);
   void placePoints(const std::vector<float>& ranges);
   void markInside(const Disc& disc);
-  void markRange(const Disc& disc, const BeamRange& beams);
+  void markRange(const Disc& disc, const scan::BeamRange& beams);
 
-  ScanLayout layout_;
+  scan::ScanLayout layout_;
   std::vector<double> cosines_;  // of the beams' directions
   std::vector<double> sines_;
   std::vector<double> x_;  // of the points [m]; nan where there is none
@@ -51,4 +51,4 @@ class ScanScrubber {
   int num_points_ = 0;
 };
 
-}  // namespace map_matcher
+}  // namespace map_matcher::scrubbing

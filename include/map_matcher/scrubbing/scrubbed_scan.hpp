@@ -11,13 +11,13 @@
 #include "map_matcher/scrubbing/detections.hpp"
 #include "map_matcher/scrubbing/range_removal.hpp"
 
-namespace map_matcher {
+namespace map_matcher::scrubbing {
 
 /// A scan that is to lose its people.
 struct RawScan {
   std::string frame;
   Stamp stamp{0};
-  ScanLayout layout;
+  scan::ScanLayout layout;
   std::shared_ptr<const std::vector<float>> ranges;  ///< [m] Never null.
 };
 
@@ -34,4 +34,4 @@ struct ScrubbedScan {
 /// Takes a scan that was scrubbed.
 using HandOn = std::function<void(const ScrubbedScan&)>;
 
-}  // namespace map_matcher
+}  // namespace map_matcher::scrubbing

@@ -9,7 +9,7 @@
 #include "map_matcher/scrubbing/detection_cache.hpp"
 #include "map_matcher/scrubbing/detections.hpp"
 
-namespace map_matcher {
+namespace map_matcher::scrubbing {
 
 /// Options of the scrubber (report section 2.2). Ranges stand in parametersOf().
 struct ScrubbingOptions {
@@ -20,10 +20,10 @@ struct ScrubbingOptions {
 };
 
 /// The parameters that fill `options`, by the names they have in config/lidar_scrubber.yaml.
-ParameterList parametersOf(ScrubbingOptions& options);
+parameters::ParameterList parametersOf(ScrubbingOptions& options);
 
 /// The range [m] that is written in place of a removed one: "inf" is +infinity, "nan" a quiet nan, "over_range"
 /// range_max + 1 m. None of them is a measured point. Throws std::invalid_argument for another choice.
-float removedRange(const std::string& choice, const ScanLayout& layout);
+float removedRange(const std::string& choice, const scan::ScanLayout& layout);
 
-}  // namespace map_matcher
+}  // namespace map_matcher::scrubbing

@@ -8,7 +8,7 @@
 
 #include "map_matcher/scrubbing/scrubbed_scan.hpp"
 
-namespace map_matcher {
+namespace map_matcher::scrubbing {
 
 /// Scans of the mode synchronised, in the order in which they came; none overtakes another. Times are those of a clock
 /// that never goes back.
@@ -50,4 +50,4 @@ class WaitingScans {
   std::deque<Answer> answers_;  // the last ones
 };
 
-}  // namespace map_matcher
+}  // namespace map_matcher::scrubbing

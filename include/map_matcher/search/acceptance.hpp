@@ -7,7 +7,7 @@
 #include "map_matcher/search/match_options.hpp"
 #include "map_matcher/search/match_result.hpp"
 
-namespace map_matcher {
+namespace map_matcher::search {
 
 /// What is to be made of the outcome of an exact search.
 struct Verdict {
@@ -31,4 +31,4 @@ enum class Standing {
 /// search may not say.
 Verdict judge(const MatchResult& result, const MatchOptions& options, Standing standing = Standing::kFirst);
 
-}  // namespace map_matcher
+}  // namespace map_matcher::search

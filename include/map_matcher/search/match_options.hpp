@@ -7,7 +7,7 @@
 
 #include "map_matcher/parameters/parameter.hpp"
 
-namespace map_matcher {
+namespace map_matcher::search {
 
 /// Options of one branch-and-bound search (report section 3.1).
 struct StageOptions {
@@ -53,6 +53,6 @@ int searchThreads(const MatchOptions& options);
 int minCount(double ratio, int num_cells);
 
 /// The parameters that fill `options`, by the names they have in config/map_matcher.yaml.
-ParameterList parametersOf(MatchOptions& options);
+parameters::ParameterList parametersOf(MatchOptions& options);
 
-}  // namespace map_matcher
+}  // namespace map_matcher::search

@@ -7,7 +7,7 @@
 
 #include "map_matcher/grid/rigid2.hpp"
 
-namespace map_matcher {
+namespace map_matcher::search {
 
 /// Heading of the session map in the reference map.
 struct HeadingPrior {
@@ -28,14 +28,14 @@ struct MatchPrior {
   std::optional<WindowPrior> window;    ///< Narrows the translations.
   /// T_reference_session with which an earlier map of the same session was accepted. It narrows nothing, but a best
   /// place that agrees with it needs no margin, with MatchOptions::follow_alignment.
-  std::optional<Rigid2> alignment;
+  std::optional<grid::Rigid2> alignment;
   /// T_reference_session of the session map before, which was at odds with `alignment` (MatchStatus::kUnconfirmed): a
   /// best place that agrees with it is believed, with MatchOptions::confirm_relocation.
-  std::optional<Rigid2> contender;
+  std::optional<grid::Rigid2> contender;
   /// Where the robot is in the session map [m, session map frame]: a map that fits elsewhere only is
   /// MatchStatus::kRobotAstray.
   std::optional<Eigen::Vector2d> robot;
   bool robot_astray = false;  ///< Whether that was the answer for the last map of the session that fitted.
 };
 
-}  // namespace map_matcher
+}  // namespace map_matcher::search

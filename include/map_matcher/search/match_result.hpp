@@ -10,7 +10,7 @@
 
 #include "map_matcher/grid/rigid2.hpp"
 
-namespace map_matcher {
+namespace map_matcher::search {
 
 /// Outcome of a match.
 enum class MatchStatus {
@@ -49,8 +49,8 @@ struct StageReport {
 
 /// A place other than that of the answer: MatchOptions::distinct_distance or distinct_angle away from it.
 struct RunnerUp {
-  Rigid2 T_reference_session;  ///< p_reference = T_reference_session * p_session.
-  double ratio = 0.0;          ///< Its hits / session cells, to compare with MatchResult::hit_ratio.
+  grid::Rigid2 T_reference_session;  ///< p_reference = T_reference_session * p_session.
+  double ratio = 0.0;                ///< Its hits / session cells, to compare with MatchResult::hit_ratio.
 };
 
 /// How the two maps agree around the robot.
@@ -67,9 +67,9 @@ struct MatchResult {
   std::string reason;  ///< One sentence with the figures behind the status.
   /// p_reference = T_reference_session * p_session; valid when kMatched. When kNotCertified, kAmbiguous,
   /// kUnconfirmed or kRobotAstray: the best pose so far, not to be relied on.
-  Rigid2 T_reference_session;
-  std::optional<Rigid2> searched;  ///< The same in whole cells and rotation steps, before it was moved by less than a
-                                   ///< cell to where it fits best; nothing unless that was done.
+  grid::Rigid2 T_reference_session;
+  std::optional<grid::Rigid2> searched;  ///< The same in whole cells and rotation steps, before it was moved by less
+                                         ///< than a cell to where it fits best; nothing unless that was done.
   /// Of (x, y, yaw) of T_reference_session [m, m, rad], when kMatched: from the curvature around the refined pose, or
   /// without exact search that of a cell and a rotation step. It holds what the drawing of both maps in cells leaves
   /// open, nothing of bent maps.
@@ -102,4 +102,4 @@ struct MatchResult {
   bool matched() const { return status == MatchStatus::kMatched; }
 };
 
-}  // namespace map_matcher
+}  // namespace map_matcher::search

@@ -6,7 +6,7 @@
 
 #include "map_matcher/grid/occupancy_grid.hpp"
 
-namespace map_matcher {
+namespace map_matcher::search {
 
 /// Occupied session cells by whether their centres fall on occupied reference cells; centres in the session map frame.
 struct MatchedCells {
@@ -15,8 +15,8 @@ struct MatchedCells {
 };
 
 /// Splits the occupied cells (>= `occupied_threshold` percent) of `session` placed at `T_reference_session`.
-MatchedCells splitByMatch(const OccupancyGrid& reference, const OccupancyGrid& session,
-                          const Rigid2& T_reference_session,
-                          std::int8_t occupied_threshold = kDefaultOccupiedThreshold);
+MatchedCells splitByMatch(const grid::OccupancyGrid& reference, const grid::OccupancyGrid& session,
+                          const grid::Rigid2& T_reference_session,
+                          std::int8_t occupied_threshold = grid::kDefaultOccupiedThreshold);
 
-}  // namespace map_matcher
+}  // namespace map_matcher::search

@@ -10,7 +10,7 @@
 #include "map_matcher/search/search_reference.hpp"
 #include "map_matcher/search/search_session.hpp"
 
-namespace map_matcher {
+namespace map_matcher::search {
 
 /// How far apart, along each axis, walls of the two maps may be to be the same: what mappers bend [m].
 constexpr double kSameWall = 0.25;
@@ -20,9 +20,9 @@ constexpr double kEnoughWalls = 3.0;
 
 /// How the maps agree up to options.nearby_distance from `robot` [m, session map frame], with `session`, of which
 /// `search_session` was made, at `T_reference_session`. `reference` is built for the exact search.
-Surroundings surroundings(const SearchReference& reference, const OccupancyGrid& session,
+Surroundings surroundings(const SearchReference& reference, const grid::OccupancyGrid& session,
                           const SearchSession& search_session, const MatchOptions& options,
-                          const Rigid2& T_reference_session, const Eigen::Vector2d& robot);
+                          const grid::Rigid2& T_reference_session, const Eigen::Vector2d& robot);
 
 /// Whether the robot is not where it seems to be. A mapper that has lost the robot draws walls where there are none,
 /// and free space where there are walls; people and moved furniture only do the one, so that both shares have to fall
@@ -34,7 +34,7 @@ bool isAstray(const Surroundings& nearby, double resolution, const MatchOptions&
 /// Takes back a match, with status kRobotAstray, when prior.robot is astray: the older part of the session map matches
 /// as before, and the alignment is right, but the robot is not where tf puts it. What is no match stays as it is, as
 /// does any match without prior.robot. `result` has an answer of an exact search in it.
-void checkRobot(MatchResult& result, const SearchReference& reference, const OccupancyGrid& session,
+void checkRobot(MatchResult& result, const SearchReference& reference, const grid::OccupancyGrid& session,
                 const SearchSession& search_session, const MatchOptions& options, const MatchPrior& prior);
 
-}  // namespace map_matcher
+}  // namespace map_matcher::search

@@ -6,10 +6,10 @@
 #include <optional>
 
 #include "map_matcher/grid/rigid2.hpp"
+#include "map_matcher/search/counting/search_window.hpp"
 #include "map_matcher/search/match_prior.hpp"
-#include "map_matcher/search/search_window.hpp"
 
-namespace map_matcher {
+namespace map_matcher::search {
 
 /// Pose of the session cells' centre in the searched reference grid.
 struct CentrePose {
@@ -20,17 +20,17 @@ struct CentrePose {
 /// Turns poses of the session's centre into poses of the session map frame and back.
 class SearchFrames {
  public:
-  SearchFrames(const Rigid2& T_reference_grid, const Rigid2& T_session_grid)
+  SearchFrames(const grid::Rigid2& T_reference_grid, const grid::Rigid2& T_session_grid)
       : T_reference_grid_(T_reference_grid), T_session_grid_(T_session_grid) {}
 
   /// T_reference_session for a pose of the session's `centre` [m, session grid frame].
-  Rigid2 mapPose(const CentrePose& pose, const Eigen::Vector2d& centre) const;
+  grid::Rigid2 mapPose(const CentrePose& pose, const Eigen::Vector2d& centre) const;
 
   /// Covariance of (x, y, yaw) of T_reference_session [m, m, rad] from that of a pose of the session's `centre`.
   Eigen::Matrix3d mapCovariance(const Eigen::Matrix3d& covariance, double angle, const Eigen::Vector2d& centre) const;
 
   /// The pose of the session's `centre` [m, session grid frame] at T_reference_session.
-  CentrePose centrePose(const Rigid2& T_reference_session, const Eigen::Vector2d& centre) const;
+  CentrePose centrePose(const grid::Rigid2& T_reference_session, const Eigen::Vector2d& centre) const;
 
   /// Angle of the session's cells in the reference grid at a yaw of T_reference_session [rad], not normalised.
   double angleAt(double yaw) const { return yaw - T_reference_grid_.yaw + T_session_grid_.yaw; }
@@ -44,8 +44,8 @@ class SearchFrames {
                       double angle) const;
 
  private:
-  Rigid2 T_reference_grid_;
-  Rigid2 T_session_grid_;
+  grid::Rigid2 T_reference_grid_;
+  grid::Rigid2 T_session_grid_;
 };
 
-}  // namespace map_matcher
+}  // namespace map_matcher::search

@@ -5,13 +5,13 @@
 #include <optional>
 
 #include "map_matcher/grid/occupancy_grid.hpp"
-#include "map_matcher/search/deadline.hpp"
-#include "map_matcher/search/distance_field.hpp"
+#include "map_matcher/search/counting/precomputed_grids.hpp"
+#include "map_matcher/search/counting/widened_grids.hpp"
 #include "map_matcher/search/match_options.hpp"
-#include "map_matcher/search/precomputed_grids.hpp"
-#include "map_matcher/search/widened_grids.hpp"
+#include "map_matcher/search/refinement/distance_field.hpp"
+#include "map_matcher/work/deadline.hpp"
 
-namespace map_matcher {
+namespace map_matcher::search {
 
 /// The reference map at the resolutions of both stages, and for the exact search if options.search says so; built on
 /// several threads. Immutable, hence thread-safe.
@@ -27,8 +27,8 @@ class SearchReference {
   /// stage, and at the halving of it that is nearest to options.coarse_resolution for the coarse stage. Throws
   /// DeadlinePassed within 50 ms when that comes before the end, std::invalid_argument for a map too large for the
   /// search and std::system_error when no thread can be started.
-  SearchReference(const OccupancyGrid& reference, double resolution, const MatchOptions& options,
-                  const Deadline& deadline = Deadline());
+  SearchReference(const grid::OccupancyGrid& reference, double resolution, const MatchOptions& options,
+                  const work::Deadline& deadline = work::Deadline());
 
   double resolution() const { return fine_resolution_; }          ///< Of the fine stage [m].
   double coarseResolution() const { return coarse_resolution_; }  ///< Of the coarse stage [m].
@@ -39,12 +39,12 @@ class SearchReference {
   bool hasWalls() const { return fine_->firstWall().x <= fine_->lastWall().x; }
 
   /// Pose of the searched grids' corner in the reference map frame: the map's origin, with reference_map_cell_offset.
-  const Rigid2& T_reference_grid() const { return T_reference_grid_; }
+  const grid::Rigid2& T_reference_grid() const { return T_reference_grid_; }
 
  private:
   double fine_resolution_;
   double coarse_resolution_;
-  Rigid2 T_reference_grid_;
+  grid::Rigid2 T_reference_grid_;
   std::optional<PrecomputedGrids> fine_;
   std::optional<PrecomputedGrids> coarse_;
   std::optional<WidenedGrids> exact_;
@@ -58,4 +58,4 @@ int exactTopLevel(double resolution);
 /// maps of 2 cm or 5 cm and a coarse resolution of 0.2 m.
 double nearestHalving(double resolution, double coarse_resolution);
 
-}  // namespace map_matcher
+}  // namespace map_matcher::search

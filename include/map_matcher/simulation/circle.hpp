@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 
 /// A round obstacle, such as a leg.
 struct Circle {
@@ -12,4 +12,4 @@ struct Circle {
   double radius = 0.0;                               ///< [m]
 };
 
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

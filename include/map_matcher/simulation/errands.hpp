@@ -11,7 +11,7 @@
 #include "map_matcher/simulation/random_numbers.hpp"
 #include "map_matcher/simulation/way_field.hpp"
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 
 /// Random places of a building that many people walk to, and the ways there.
 class Errands {
@@ -35,4 +35,4 @@ class Errands {
   std::vector<std::optional<WayField>> ways_;
 };
 
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

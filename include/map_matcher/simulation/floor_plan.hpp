@@ -8,7 +8,7 @@
 #include "map_matcher/simulation/office_building.hpp"
 #include "map_matcher/simulation/rectangle.hpp"
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 
 /// What a space is for.
 enum class SpaceKind {
@@ -48,4 +48,4 @@ struct FloorPlan {
 /// option out of its range.
 FloorPlan drawFloorPlan(const OfficeBuildingOptions& options);
 
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

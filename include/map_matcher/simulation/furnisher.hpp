@@ -9,7 +9,7 @@
 #include "map_matcher/simulation/furniture.hpp"
 #include "map_matcher/simulation/random_numbers.hpp"
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 
 /// A wall of a space.
 enum class Side { kBottom, kRight, kTop, kLeft };
@@ -35,7 +35,7 @@ class Furnisher {
   const FurnishedSpace& space() const { return space_; }
 
  private:
-  Rigid2 randomPoseAtWall(const Furniture& piece, Side side);
+  grid::Rigid2 randomPoseAtWall(const Furniture& piece, Side side);
   bool add(Furniture piece);
   bool fits(const Rectangle& footprint) const;
   bool isClear(const Rectangle& footprint) const;
@@ -46,4 +46,4 @@ class Furnisher {
   RandomNumbers& random_;
 };
 
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

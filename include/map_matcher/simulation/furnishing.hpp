@@ -7,7 +7,7 @@
 #include "map_matcher/simulation/floor_plan.hpp"
 #include "map_matcher/simulation/furniture.hpp"
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 
 /// What stands in one space of a plan. The pieces may reach into its walls, never beyond them.
 struct FurnishedSpace {
@@ -20,4 +20,4 @@ struct FurnishedSpace {
 /// So the free floor of a space remains in one piece and every door can be reached.
 std::vector<FurnishedSpace> furnish(const FloorPlan& plan, const OfficeBuildingOptions& options);
 
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

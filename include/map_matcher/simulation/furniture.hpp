@@ -9,11 +9,11 @@
 #include "map_matcher/simulation/random_numbers.hpp"
 #include "map_matcher/simulation/rectangle.hpp"
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 
 /// A box or a round post that no ray passes.
 struct Solid {
-  Rigid2 pose;                ///< Of its centre.
+  grid::Rigid2 pose;          ///< Of its centre.
   Eigen::Vector2d half_size;  ///< Half its extents along its own axes [m]; of a round one both are the radius.
   bool is_round = false;
 };
@@ -26,7 +26,7 @@ struct Furniture {
 };
 
 /// The piece at a pose whose yaw is a multiple of a right angle.
-Furniture placed(const Furniture& piece, const Rigid2& T_plan_piece);
+Furniture placed(const Furniture& piece, const grid::Rigid2& T_plan_piece);
 
 // Against a wall. Sizes vary from piece to piece.
 Furniture wallBlock(double width, double depth);    ///< A cupboard, shelf, shaft, pilaster: a box [m].
@@ -45,4 +45,4 @@ Furniture roundTable(RandomNumbers& random);                         ///< With s
 Furniture workbench(RandomNumbers& random);                          ///< A long box.
 Furniture pillar(RandomNumbers& random);                             ///< Square or round.
 
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

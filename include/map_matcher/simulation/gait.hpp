@@ -8,7 +8,7 @@
 #include <functional>
 #include <optional>
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 
 /// Two feet that take turns. The stance foot stays where it is on the ground; the swing foot moves from where it was
 /// lifted to where it lands with a speed that rises and falls as a sine, half a step length ahead of the body as it
@@ -47,4 +47,4 @@ class Gait {
   double progress_ = 0.0;                               // of the step, from 0 to 1
 };
 
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

@@ -13,7 +13,7 @@
 #include "map_matcher/simulation/person_detector.hpp"
 #include "map_matcher/simulation/world.hpp"
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 
 /// Who walks where a recorded robot drove. Ranges stand in parametersOf() of the parts.
 struct InsertedCrowdOptions {
@@ -26,7 +26,7 @@ struct InsertedCrowdOptions {
 
 /// A recorded scan as it would have been in the crowd.
 struct CrowdedScan {
-  PlanarScan scan;                           ///< Legs hide what lies behind them; other ranges stay bit for bit.
+  scan::PlanarScan scan;                     ///< Legs hide what lies behind them; other ranges stay bit for bit.
   std::optional<DetectedPeople> detections;  ///< In the frame of the laser; none: the detector was busy.
 };
 
@@ -36,22 +36,22 @@ struct CrowdedScan {
 class InsertedCrowd {
  public:
   /// `map`: where they walk. Throws std::invalid_argument that names every option out of its range.
-  InsertedCrowd(const OccupancyGrid& map, const InsertedCrowdOptions& options);
+  InsertedCrowd(const grid::OccupancyGrid& map, const InsertedCrowdOptions& options);
   InsertedCrowd(const InsertedCrowd&) = delete;
   InsertedCrowd& operator=(const InsertedCrowd&) = delete;
 
   /// Moves everybody on to `time` [s], which rises from scan to scan; by 10 s at most. `way`: where the robot really
   /// is, and then where it will be during the next second or two; at least one pose T_map_base.
-  void moveOn(double time, const std::vector<Rigid2>& way);
+  void moveOn(double time, const std::vector<grid::Rigid2>& way);
 
   /// The scan of a laser at the time and place of the last moveOn().
-  CrowdedScan among(const MountedScan& recorded);
+  CrowdedScan among(const scan::MountedScan& recorded);
 
   /// Everybody; nobody before the first moveOn().
   const std::vector<Person>& people() const;
 
  private:
-  RobotSweep sweepOf(const std::vector<Rigid2>& way) const;
+  RobotSweep sweepOf(const std::vector<grid::Rigid2>& way) const;
   std::vector<std::size_t> legsInSight(const std::vector<Circle>& legs) const;
 
   World world_;
@@ -60,7 +60,7 @@ class InsertedCrowd {
   RandomNumbers noise_;
   std::unique_ptr<Pedestrians> people_;  // none before the robot's first pose is known
   double time_ = 0.0;                    // [s]
-  Rigid2 T_map_base_;
+  grid::Rigid2 T_map_base_;
 };
 
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

@@ -14,13 +14,13 @@
 #include "map_matcher/simulation/random_numbers.hpp"
 #include "map_matcher/simulation/world.hpp"
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 
 /// What an itinerary goes by.
 struct ItineraryOptions {
   double robot_radius = 0.25;          ///< [m]
   double min_waypoint_distance = 8.0;  ///< [m] Straight distance of a random waypoint from the last, where possible.
-  std::optional<Rigid2> start;         ///< Pose in the map frame; random when there is none.
+  std::optional<grid::Rigid2> start;   ///< Pose in the map frame; random when there is none.
   std::vector<Eigen::Vector2d> waypoints;  ///< [m] In the map frame, visited in this order; none: random ones for ever.
   bool explore = false;                    ///< Whether to go where nothing was seen yet; without waypoints.
 };
@@ -32,10 +32,10 @@ class Itinerary {
   /// waypoint that the robot does not fit in or cannot reach.
   Itinerary(const World& world, ItineraryOptions options, const RandomNumbers& random);
 
-  const Rigid2& start() const { return start_; }
+  const grid::Rigid2& start() const { return start_; }
 
   /// Tells an exploration what was seen from the true pose of a lidar.
-  void see(const PlanarScan& scan, const Rigid2& T_map_lidar);
+  void see(const scan::PlanarScan& scan, const grid::Rigid2& T_map_lidar);
 
   /// Whether there still is a reason to go on to this goal [m]: a frontier may be seen from afar.
   bool isWorthwhile(const Eigen::Vector2d& goal) const { return !exploration_ || exploration_->isFrontier(goal); }
@@ -49,7 +49,7 @@ class Itinerary {
   std::optional<Path> otherWay(const Eigen::Vector2d& position, const Eigen::Vector2d& goal);
 
  private:
-  Rigid2 chooseStart();
+  grid::Rigid2 chooseStart();
   Eigen::Vector2d randomPlaceFarFrom(const Eigen::Vector2d& position);
   Path plan(const Eigen::Vector2d& from, const Eigen::Vector2d& to, const std::string& name) const;
 
@@ -58,10 +58,10 @@ class Itinerary {
   PathPlanner planner_;
   std::optional<Exploration> exploration_;
   RandomNumbers random_;
-  Rigid2 start_;
+  grid::Rigid2 start_;
   Eigen::Vector2d last_place_;    // the last random waypoint
   std::vector<Path> given_ways_;  // to the waypoints of the options
   std::size_t num_given_ = 0;     // how many of them were handed out
 };
 
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

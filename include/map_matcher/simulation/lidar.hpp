@@ -11,25 +11,25 @@
 #include "map_matcher/simulation/random_numbers.hpp"
 #include "map_matcher/simulation/world.hpp"
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 
 /// The lidar of the report's section 3.3.1: 270 degrees, 20 m, noise N(0, sigma^2); beams and shortest range are those
 /// of the SICK TiM571 on the CROWDBOT Pepper. Ranges stand in parametersOf().
 struct LidarOptions {
-  int beams = 811;                          ///< Rays of a scan, the first and last at the edges of the field of view.
-  double field_of_view = 4.71238898038469;  ///< [rad] Angle between the first and the last ray.
-  double range_min = 0.05;                  ///< [m] Nearer surfaces return nothing.
-  double range_max = 20.0;                  ///< [m] Farther surfaces return nothing.
-  double sigma = 0.03;                      ///< [m] Standard deviation of a measured range.
-  Rigid2 T_base_lidar{0.15, 0.0, 0.0};      ///< Mounting pose on the robot.
+  int beams = 811;                            ///< Rays of a scan, the first and last at the edges of the field of view.
+  double field_of_view = 4.71238898038469;    ///< [rad] Angle between the first and the last ray.
+  double range_min = 0.05;                    ///< [m] Nearer surfaces return nothing.
+  double range_max = 20.0;                    ///< [m] Farther surfaces return nothing.
+  double sigma = 0.03;                        ///< [m] Standard deviation of a measured range.
+  grid::Rigid2 T_base_lidar{0.15, 0.0, 0.0};  ///< Mounting pose on the robot.
 };
 
 /// The parameters that fill `options`.
-ParameterList parametersOf(LidarOptions& options);
+parameters::ParameterList parametersOf(LidarOptions& options);
 
 /// A scan, and what was in it.
 struct LidarView {
-  PlanarScan scan;
+  scan::PlanarScan scan;
   std::vector<int> rays_on;  ///< For each circle: how many rays returned from it.
 };
 
@@ -40,14 +40,14 @@ class Lidar {
   Lidar(const LidarOptions& options, const RandomNumbers& noise);
 
   /// The scan from a robot that stands at this pose; all rays at one instant.
-  PlanarScan scan(const World& world, const Rigid2& T_map_base);
+  scan::PlanarScan scan(const World& world, const grid::Rigid2& T_map_base);
 
   /// The same among round obstacles, such as legs, in the map frame. They and the walls hide each other.
-  LidarView scanAmong(const std::vector<Circle>& circles, const World& world, const Rigid2& T_map_base);
+  LidarView scanAmong(const std::vector<Circle>& circles, const World& world, const grid::Rigid2& T_map_base);
 
  private:
   LidarOptions options_;
   RandomNumbers noise_;
 };
 
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

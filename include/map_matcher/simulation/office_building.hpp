@@ -7,7 +7,7 @@
 #include "map_matcher/grid/occupancy_grid.hpp"
 #include "map_matcher/parameters/parameter.hpp"
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 
 /// An office floor of about the size of the report's section 3.3.1. Ranges stand in parametersOf().
 struct OfficeBuildingOptions {
@@ -22,7 +22,7 @@ struct OfficeBuildingOptions {
 };
 
 /// The parameters that fill `options`.
-ParameterList parametersOf(OfficeBuildingOptions& options);
+parameters::ParameterList parametersOf(OfficeBuildingOptions& options);
 
 /// A floor with a corridor that shifts sideways at a foyer, rooms of many sizes on both sides, a hall at one end,
 /// doors, shafts, pillars and furniture as a lidar near the floor sees it. Nothing is symmetric or repeated. A robot of
@@ -31,6 +31,6 @@ ParameterList parametersOf(OfficeBuildingOptions& options);
 /// Cells are free inside, occupied where something stands, and unknown around the building (0.5 m on every side); the
 /// lower left outer corner of the building is the origin of the map frame. The same seed gives the same plan at every
 /// resolution. Throws std::invalid_argument that names every option out of its range.
-OccupancyGrid officeBuilding(const OfficeBuildingOptions& options);
+grid::OccupancyGrid officeBuilding(const OfficeBuildingOptions& options);
 
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

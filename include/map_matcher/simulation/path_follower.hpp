@@ -12,7 +12,7 @@
 #include "map_matcher/simulation/steering.hpp"
 #include "map_matcher/simulation/world.hpp"
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 
 /// Pure pursuit (Coulter: "Implementation of the pure pursuit path tracking algorithm", 1992) of the farthest point
 /// ahead on the path that a straight line reaches without touching anything. The robot never drives faster than it can
@@ -42,4 +42,4 @@ class PathFollower {
   bool arrived_ = false;
 };
 
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

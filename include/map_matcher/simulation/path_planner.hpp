@@ -14,7 +14,7 @@
 #include "map_matcher/simulation/way_field.hpp"
 #include "map_matcher/simulation/world.hpp"
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 
 /// Points of the map frame [m], from start to goal.
 using Path = std::vector<Eigen::Vector2d>;
@@ -43,10 +43,10 @@ class PathPlanner {
   double coveredArea() const;
 
   /// Cells of the planning grid.
-  const GridGeometry& geometry() const { return geometry_; }
+  const grid::GridGeometry& geometry() const { return geometry_; }
 
   /// Whether the required clearance is kept in the centre of a cell of the planning grid, which may lie outside it.
-  bool isFree(const Cell& cell) const { return geometry_.contains(cell) && costs_[indexOf(cell)] > 0.0F; }
+  bool isFree(const grid::Cell& cell) const { return geometry_.contains(cell) && costs_[indexOf(cell)] > 0.0F; }
 
   /// Centres of the cells to stand in that are connected with each other: the largest such region of the world. Empty
   /// when the robot fits nowhere.
@@ -56,27 +56,27 @@ class PathPlanner {
   /// What a search found.
   struct Search {
     std::vector<std::uint32_t> came_from;  // for each cell the index of the cell before it; WayField::kNone: not found
-    std::optional<Cell> reached;           // the goal
+    std::optional<grid::Cell> reached;     // the goal
   };
 
-  std::size_t indexOf(const Cell& cell) const {
+  std::size_t indexOf(const grid::Cell& cell) const {
     return static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(geometry_.width) +
            static_cast<std::size_t>(cell.x);
   }
-  Cell cellOf(std::size_t index) const;
+  grid::Cell cellOf(std::size_t index) const;
   void measureCosts();
   void findPlaces();
-  std::optional<Cell> freeCellNear(const Eigen::Vector2d& p_map) const;
+  std::optional<grid::Cell> freeCellNear(const Eigen::Vector2d& p_map) const;
   template <typename IsGoal, typename CostToGo>
-  Search explore(const Cell& start, const IsGoal& is_goal, const CostToGo& cost_to_go) const;
-  std::array<bool, 8> stepsFrom(const Cell& cell) const;
-  Path pathTo(const Cell& reached, const Cell& first, const std::vector<std::uint32_t>& came_from) const;
+  Search explore(const grid::Cell& start, const IsGoal& is_goal, const CostToGo& cost_to_go) const;
+  std::array<bool, 8> stepsFrom(const grid::Cell& cell) const;
+  Path pathTo(const grid::Cell& reached, const grid::Cell& first, const std::vector<std::uint32_t>& came_from) const;
 
   const World& world_;
   double required_clearance_;
-  GridGeometry geometry_;     // of the planning grid
-  std::vector<float> costs_;  // of a way through the cell, per length; 0: not to be entered
+  grid::GridGeometry geometry_;  // of the planning grid
+  std::vector<float> costs_;     // of a way through the cell, per length; 0: not to be entered
   std::vector<Eigen::Vector2d> places_;
 };
 
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

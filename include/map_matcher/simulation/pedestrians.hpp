@@ -18,7 +18,7 @@
 #include "map_matcher/simulation/steering.hpp"
 #include "map_matcher/simulation/world.hpp"
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 
 /// The crowd of the report's section 3.3.2. Ranges stand in parametersOf().
 struct PedestrianOptions {
@@ -32,7 +32,7 @@ struct PedestrianOptions {
 };
 
 /// The parameters that fill `options`.
-ParameterList parametersOf(PedestrianOptions& options);
+parameters::ParameterList parametersOf(PedestrianOptions& options);
 
 /// What can be seen of somebody at one instant.
 struct Person {
@@ -112,4 +112,4 @@ class Pedestrians {
   std::vector<Person> people_;
 };
 
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

@@ -12,7 +12,7 @@
 #include "map_matcher/simulation/pedestrians.hpp"
 #include "map_matcher/simulation/random_numbers.hpp"
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 
 /// A detector of people's legs. The defaults are what the authors of DR-SPAAM found for it (Jia, Hermans, Leibe:
 /// "DR-SPAAM: A spatial-attention and auto-regressive model for person detection in 2D range data", 2020): precision
@@ -31,7 +31,7 @@ struct PersonDetectorOptions {
 };
 
 /// The parameters that fill `options`; their names begin with "detector_".
-ParameterList parametersOf(PersonDetectorOptions& options);
+parameters::ParameterList parametersOf(PersonDetectorOptions& options);
 
 /// Somebody, or what was taken for somebody.
 struct DetectedPerson {
@@ -56,12 +56,12 @@ class PersonDetector {
  public:
   /// Looks for false alarms at the occupied cells of `map`. Throws std::invalid_argument that names every option out of
   /// its range.
-  PersonDetector(const OccupancyGrid& map, const PersonDetectorOptions& options, const RandomNumbers& random);
+  PersonDetector(const grid::OccupancyGrid& map, const PersonDetectorOptions& options, const RandomNumbers& random);
 
   /// Detections in a scan at `time` [s]; std::nullopt when the detector is busy with an earlier one. `people` are
   /// always the same, in the same order; `view` is of their legsOf(). Times rise.
   std::optional<DetectedPeople> detect(const LidarView& view, const std::vector<Person>& people,
-                                       const Rigid2& T_map_lidar, double time);
+                                       const grid::Rigid2& T_map_lidar, double time);
 
  private:
   /// How somebody, or a place, looks to the detector; each number of variance 1.
@@ -82,13 +82,13 @@ class PersonDetector {
     Impression impression;
   };
 
-  void findSites(const OccupancyGrid& map);
+  void findSites(const grid::OccupancyGrid& map);
   Impression firstImpression();
   void drift(Impression& impression, double memory);
   void driftAll(std::size_t num_people, double time);
   std::vector<Candidate> peopleIn(const LidarView& view, const std::vector<Person>& people,
-                                  const Rigid2& T_lidar_map) const;
-  std::vector<Candidate> falseAlarmsIn(const PlanarScan& scan, const Rigid2& T_lidar_map) const;
+                                  const grid::Rigid2& T_lidar_map) const;
+  std::vector<Candidate> falseAlarmsIn(const scan::PlanarScan& scan, const grid::Rigid2& T_lidar_map) const;
   DetectedPerson detection(const Eigen::Vector2d& position, const Impression& impression, double evidence) const;
   static std::vector<Candidate> bestOf(std::vector<Candidate> candidates);
   void adjust(std::size_t people_in_sight, const std::vector<Candidate>& kept, double time);
@@ -102,4 +102,4 @@ class PersonDetector {
   double false_alarms_ = 0.0;  // in a scan, wanted
 };
 
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 
 /// Points of the plane sorted into square bins, so that those near a place are found without looking at the others.
 class PlaceIndex {
@@ -59,4 +59,4 @@ class PlaceIndex {
   std::vector<std::vector<std::size_t>> bins_;
 };
 
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <random>
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 
 /// Random numbers from std::mt19937_64, whose output the standard fixes. The distributions of <random> are not fixed by
 /// it, so they are written out here: a seed gives the same numbers with every standard library. Not thread-safe.
@@ -37,4 +37,4 @@ class RandomNumbers {
   bool has_spare_ = false;
 };
 
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 
 /// A rectangle along the axes of a floor plan [m].
 struct Rectangle {
@@ -23,4 +23,4 @@ struct Rectangle {
 /// minus the smaller overlap when they are not. Two squares that touch with their corners are 0 apart.
 double separation(const Rectangle& a, const Rectangle& b);
 
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

@@ -6,7 +6,7 @@
 #include "map_matcher/parameters/parameter.hpp"
 #include "map_matcher/simulation/random_numbers.hpp"
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 
 /// What the robot's body and drive can do; the defaults are close to a Pioneer P3-DX at indoor speed (report 3.3.1).
 /// Ranges stand in parametersOf().
@@ -19,7 +19,7 @@ struct RobotOptions {
 };
 
 /// The parameters that fill `options`.
-ParameterList parametersOf(RobotOptions& options);
+parameters::ParameterList parametersOf(RobotOptions& options);
 
 /// Velocity of a differential drive.
 struct Velocity {
@@ -31,18 +31,18 @@ struct Velocity {
 class DifferentialDrive {
  public:
   /// Stands still at `T_map_base`. Throws std::invalid_argument that names every option out of its range.
-  DifferentialDrive(const RobotOptions& options, const Rigid2& T_map_base);
+  DifferentialDrive(const RobotOptions& options, const grid::Rigid2& T_map_base);
 
   /// Comes as close to the commanded velocity as the limits allow and keeps it for `duration` [s], which is positive.
   void drive(const Velocity& commanded, double duration);
 
   const RobotOptions& options() const { return options_; }
-  const Rigid2& T_map_base() const { return T_map_base_; }
+  const grid::Rigid2& T_map_base() const { return T_map_base_; }
   const Velocity& velocity() const { return velocity_; }
 
  private:
   RobotOptions options_;
-  Rigid2 T_map_base_;
+  grid::Rigid2 T_map_base_;
   Velocity velocity_;
 };
 
@@ -59,27 +59,27 @@ struct OdometryOptions {
 };
 
 /// The parameters that fill `options`.
-ParameterList parametersOf(OdometryOptions& options);
+parameters::ParameterList parametersOf(OdometryOptions& options);
 
 /// Adds up noisy readings of a robot's motion. The odom frame is where the robot stood at first.
 class Odometry {
  public:
   /// Throws std::invalid_argument that names every option out of its range.
-  Odometry(const OdometryOptions& options, const Rigid2& T_map_base, const RandomNumbers& noise);
+  Odometry(const OdometryOptions& options, const grid::Rigid2& T_map_base, const RandomNumbers& noise);
 
   /// Reads the motion from the last pose to this one, which is at most half a turn away.
-  void read(const Rigid2& T_map_base);
+  void read(const grid::Rigid2& T_map_base);
 
   /// Where the odometry believes the robot to be.
-  const Rigid2& T_odom_base() const { return T_odom_base_; }
+  const grid::Rigid2& T_odom_base() const { return T_odom_base_; }
 
  private:
   double noisy(double value, double variance);
 
   OdometryOptions options_;
   RandomNumbers noise_;
-  Rigid2 T_map_last_;
-  Rigid2 T_odom_base_;
+  grid::Rigid2 T_map_last_;
+  grid::Rigid2 T_odom_base_;
 };
 
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

@@ -11,7 +11,7 @@
 #include "map_matcher/simulation/lidar.hpp"
 #include "map_matcher/simulation/random_numbers.hpp"
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 
 /// Rays from the origin of a lidar's frame: ray i points at angle_min + i * angle_increment.
 struct RayFan {
@@ -28,14 +28,14 @@ struct RaysOnCircles {
 
 /// Where rays that meet a background at these distances [m] (infinity: none) meet circles before it. A lidar within a
 /// circle sees its inside, at 0 m. `circles` are in the map frame. Looks only at the rays that a circle spans.
-RaysOnCircles castOnCircles(const std::vector<Circle>& circles, const Rigid2& T_map_lidar, const RayFan& fan,
+RaysOnCircles castOnCircles(const std::vector<Circle>& circles, const grid::Rigid2& T_map_lidar, const RayFan& fan,
                             const std::vector<double>& background);
 
 /// A recorded scan as it would have been among these circles (of the frame that T_map_lidar leads to): what lies behind
 /// a circle is hidden by it, and rays that returned nothing (not finite, or out of range) return from a circle within
 /// range. `sigma` [m] is the standard deviation of ranges to circles; other ranges stay bit for bit. `noise` is drawn
 /// from once for each such range. A lidar that hangs upside down is one whose angles run backwards.
-LidarView insertCircles(const PlanarScan& scan, const std::vector<Circle>& circles, const Rigid2& T_map_lidar,
-                        double sigma, RandomNumbers& noise);
+LidarView insertCircles(const scan::PlanarScan& scan, const std::vector<Circle>& circles,
+                        const grid::Rigid2& T_map_lidar, double sigma, RandomNumbers& noise);
 
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

@@ -7,7 +7,7 @@
 
 #include "map_matcher/simulation/world.hpp"
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 
 /// Somebody or something round that moves over the floor.
 struct Mover {
@@ -24,4 +24,4 @@ struct Mover {
 Eigen::Vector2d steer(const World& world, const Mover& self, const Eigen::Vector2d& target, double speed,
                       const std::vector<Mover>& others);
 
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

@@ -9,7 +9,7 @@
 
 #include "map_matcher/grid/occupancy_grid.hpp"
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 
 /// The solid squares of an occupancy grid. Immutable; may be read from several threads.
 ///
@@ -19,9 +19,9 @@ class World {
  public:
   /// `occupied_threshold` [percent, 1 to 100]: value from which a cell is solid. Throws std::invalid_argument for a
   /// threshold out of range.
-  explicit World(const OccupancyGrid& grid, std::int8_t occupied_threshold = kDefaultOccupiedThreshold);
+  explicit World(const grid::OccupancyGrid& grid, std::int8_t occupied_threshold = grid::kDefaultOccupiedThreshold);
 
-  const GridGeometry& geometry() const { return geometry_; }
+  const grid::GridGeometry& geometry() const { return geometry_; }
 
   /// Distance [m] from a point of the map frame to where a ray of this heading [rad] enters the first solid cell: 0 in
   /// a solid cell, infinity when it meets none within `range_max` [m] or starts outside the grid. Exact but for
@@ -44,15 +44,15 @@ class World {
   Eigen::Vector2d toCells(const Eigen::Vector2d& p_map) const;
   bool isInside(const Eigen::Vector2d& p) const;
   double clearanceIn(const Eigen::Vector2d& p) const;
-  void measureStrides(const OccupancyGrid& grid, std::int8_t occupied_threshold);
-  void measureFreeSpace(const OccupancyGrid& grid, std::int8_t occupied_threshold);
+  void measureStrides(const grid::OccupancyGrid& grid, std::int8_t occupied_threshold);
+  void measureFreeSpace(const grid::OccupancyGrid& grid, std::int8_t occupied_threshold);
 
-  GridGeometry geometry_;
-  Rigid2 T_grid_map_;
+  grid::GridGeometry geometry_;
+  grid::Rigid2 T_grid_map_;
   Eigen::Matrix2d rotation_;           // of T_grid_map, which would be computed for every point
   int padded_width_ = 0;               // the grid's width and a border of one cell on either side
   std::vector<std::uint8_t> strides_;  // per cell of the padded grid: see world.cpp
   std::vector<float> free_space_;      // per cell of the padded grid: centre to centre of the nearest blocked cell
 };
 
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

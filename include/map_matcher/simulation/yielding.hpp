@@ -8,7 +8,7 @@
 #include "map_matcher/simulation/circle.hpp"
 #include "map_matcher/simulation/robot.hpp"
 
-namespace map_matcher {
+namespace map_matcher::simulation {
 
 /// Centres [m] of a robot that brakes from now on as hard as it can, in steps of `period` [s]: first where it is, last
 /// where it stops.
@@ -22,4 +22,4 @@ constexpr double kDistanceToPeople = 0.12;  ///< [m] from a robot to people whom
 Velocity yieldTo(const std::vector<Circle>& people, const DifferentialDrive& robot, const Velocity& wanted,
                  double period);
 
-}  // namespace map_matcher
+}  // namespace map_matcher::simulation

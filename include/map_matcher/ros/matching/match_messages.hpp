@@ -1,0 +1,27 @@
+/// \file
+/// Answers of the search as messages.
+#pragma once
+
+#include <geometry_msgs/PoseWithCovariance.h>
+#include <map_matcher/MapMatch.h>
+
+#include <cstdint>
+#include <string>
+
+#include "map_matcher/search/match_result.hpp"
+
+namespace map_matcher::ros_matching {
+
+/// All of `result`; header, frames and counts are left to the caller.
+MapMatch toMessage(const search::MatchResult& result);
+
+/// The answer for a map or a request that was not searched for. `status` is INVALID_MAP, EQUAL_FRAMES or
+/// INVALID_REQUEST.
+MapMatch refusal(std::uint8_t status, const std::string& reason);
+
+/// The robot's pose in the reference map, given its pose in the session map, with the covariance of the match
+/// (MatchResult::covariance) carried over. z, roll and pitch, which are zero in a plane, have none. `match.status` is
+/// MATCHED.
+geometry_msgs::PoseWithCovariance robotPose(const MapMatch& match, const grid::Rigid2& T_session_base);
+
+}  // namespace map_matcher::ros_matching

@@ -1,0 +1,31 @@
+/// \file
+/// The match as rviz shows it.
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <string>
+
+#include "map_matcher/ros/matching/reference_matcher.hpp"
+
+namespace map_matcher::ros_matching {
+
+/// Publishes the session map's occupied cells in the session frame: those on walls of the reference map in red, as
+/// figure 8 of the report, the others in blue. rviz moves them with the session frame. Not thread-safe.
+class OverlayPublisher {
+ public:
+  explicit OverlayPublisher(ros::NodeHandle node);
+
+  /// Shows the cells of an accepted match instead of those before.
+  void publish(const SessionMatch& match);
+
+  /// Takes the cells away.
+  void clear();
+
+ private:
+  std::string frame_;  // of the cells that are shown
+  ros::Publisher matched_;
+  ros::Publisher unmatched_;
+};
+
+}  // namespace map_matcher::ros_matching

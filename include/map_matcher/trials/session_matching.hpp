@@ -1,0 +1,46 @@
+/// \file
+/// The session maps of a drive, one after the other, matched as the node would.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "map_matcher/belief/session_memory.hpp"
+#include "map_matcher/search/map_matcher.hpp"
+#include "map_matcher/trials/trial_query.hpp"
+
+namespace map_matcher::trials {
+
+/// Matches session maps to a reference map and keeps what came of it. Not thread-safe.
+class SessionMatching {
+ public:
+  /// Throws std::invalid_argument that names every option out of range.
+  SessionMatching(const grid::OccupancyGrid& reference, const search::MatchOptions& options);
+
+  /// A new session begins: its maps have another frame than those before.
+  void beginSession() { memory_.clear(); }
+
+  /// The session's next map. `query` says how the map came to be; result, occupied and falsely_occupied are filled in.
+  void match(grid::OccupancyGrid map, TrialQuery query);
+
+  /// Called once with the first session map that is matched and T_reference_session.
+  using OnFirstMatch = std::function<void(const grid::OccupancyGrid&, const grid::Rigid2&)>;
+  void onFirstMatch(OnFirstMatch on_first_match) { on_first_match_ = std::move(on_first_match); }
+
+  const std::vector<TrialQuery>& queries() const { return queries_; }
+
+  /// The last session map; nothing before the first one.
+  const std::optional<grid::OccupancyGrid>& lastMap() const { return last_map_; }
+
+ private:
+  grid::OccupancyGrid reference_;
+  search::MapMatcher matcher_;
+  std::vector<TrialQuery> queries_;
+  std::optional<grid::OccupancyGrid> last_map_;
+  belief::SessionMemory memory_;
+  OnFirstMatch on_first_match_;  // null when it was called, or nobody asked
+};
+
+}  // namespace map_matcher::trials

@@ -1,0 +1,34 @@
+/// \file
+/// One session map and what the matcher made of it.
+#pragma once
+
+#include <optional>
+
+#include "map_matcher/evaluation/trajectory_error.hpp"
+#include "map_matcher/search/match_result.hpp"
+
+namespace map_matcher::trials {
+
+/// One session map, how it came to be and what the matcher made of it.
+struct TrialQuery {
+  double time = 0.0;         ///< Of the map [s].
+  int session = 0;           ///< Counts the sessions from 0.
+  double session_age = 0.0;  ///< Since the session's first scan [s].
+  double travelled = 0.0;    ///< In the session, by odometry [m].
+  search::MatchResult result;
+  grid::Rigid2 T_session_base;  ///< Where the mapper believes the robot to be in its map.
+  std::optional<grid::Rigid2>
+      true_alignment;                 ///< T_reference_session as of the session's first scan, where it is known.
+  std::optional<grid::Rigid2> truth;  ///< T_reference_base, where it is known.
+  int falsely_occupied = 0;           ///< Session cells in free space of the reference, at the matched pose [cells].
+  int occupied = 0;                   ///< Occupied session cells [cells].
+
+  /// T_reference_session by the match; nothing without one.
+  std::optional<grid::Rigid2> alignment() const;
+  /// T_reference_base by the match; nothing without one.
+  std::optional<grid::Rigid2> estimate() const;
+  /// Of the robot's pose; nothing when it or the truth is not known.
+  std::optional<evaluation::PoseError> robotError() const;
+};
+
+}  // namespace map_matcher::trials

@@ -1,0 +1,29 @@
+#include "map_matcher/ros/matching/map_matcher_server_options.hpp"
+
+namespace map_matcher::ros_matching {
+
+parameters::ParameterList parametersOf(MapMatcherServerOptions& options) {
+  parameters::ParameterList parameters{
+      {"reference_map_file", "",
+       "YAML file of the reference map as map_server reads it; empty when the map comes by topic or service.",
+       &options.reference_map_file},
+      {"reference_frame", "", "Frame of the map read from reference_map_file.", &options.reference_frame},
+      {"base_frame", "", "Frame of the robot whose pose is sent as match_pose.", &options.base_frame},
+      {"tf_mode",
+       "",
+       "Which map frame is broadcast as the parent of the other; none broadcasts nothing.",
+       &options.tf_mode,
+       {},
+       {},
+       {"reference_to_session", "session_to_reference", "none"}},
+      {"tf_rate", "Hz", "Broadcasts of the transform in a second.", &options.tf_rate, 0.1, 1000.0},
+      {"transform_tolerance", "s",
+       "How far into the future the transform is stamped, so that it is there when the newest scan needs it.",
+       &options.transform_tolerance, 0.0, 10.0},
+  };
+  const parameters::ParameterList match = parametersOf(options.match);
+  parameters.insert(parameters.end(), match.begin(), match.end());
+  return parameters;
+}
+
+}  // namespace map_matcher::ros_matching

@@ -1,0 +1,146 @@
+#include "map_matcher/ros/matching/match_messages.hpp"
+
+#include <Eigen/Core>
+#include <array>
+
+#include "map_matcher/ros/common/conversions.hpp"
+
+namespace map_matcher::ros_matching {
+namespace {
+
+std::uint8_t statusConstant(search::MatchStatus status) {
+  switch (status) {
+    case search::MatchStatus::kMatched:
+      return MapMatch::MATCHED;
+    case search::MatchStatus::kBelowAcceptanceRatio:
+      return MapMatch::BELOW_ACCEPTANCE_RATIO;
+    case search::MatchStatus::kNoReference:
+      return MapMatch::NO_REFERENCE;
+    case search::MatchStatus::kEmptyReference:
+      return MapMatch::EMPTY_REFERENCE;
+    case search::MatchStatus::kTooFewSessionCells:
+      return MapMatch::TOO_FEW_SESSION_CELLS;
+    case search::MatchStatus::kSessionTooLarge:
+      return MapMatch::SESSION_TOO_LARGE;
+    case search::MatchStatus::kNotCertified:
+      return MapMatch::NOT_CERTIFIED;
+    case search::MatchStatus::kAmbiguous:
+      return MapMatch::AMBIGUOUS;
+    case search::MatchStatus::kUnconfirmed:
+      return MapMatch::UNCONFIRMED;
+    case search::MatchStatus::kRobotAstray:
+      return MapMatch::ROBOT_ASTRAY;
+    case search::MatchStatus::kStopped:
+      break;
+  }
+  return MapMatch::STOPPED;
+}
+
+const char* refusalText(std::uint8_t status) {
+  switch (status) {
+    case MapMatch::EQUAL_FRAMES:
+      return "equal_frames";
+    case MapMatch::INVALID_REQUEST:
+      return "invalid_request";
+    default:
+      return "invalid_map";
+  }
+}
+
+MatchStage toMessage(const search::StageReport& stage) {
+  MatchStage message;
+  message.name = stage.name;
+  message.answered = stage.answered;
+  message.resolution = stage.resolution;
+  message.rotations = stage.rotations;
+  message.rotation_step = stage.rotation_step;
+  message.matched_cells = stage.matched_cells;
+  message.total_cells = stage.total_cells;
+  message.ratio = stage.ratio;
+  message.nodes_scored = stage.nodes_scored;
+  message.nodes_expanded = stage.nodes_expanded;
+  message.initialization_time = stage.initialization_time;
+  message.rotation_expansion_time = stage.rotation_expansion_time;
+  message.depth_first_search_time = stage.depth_first_search_time;
+  return message;
+}
+
+using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+
+void fillCertificate(MapMatch& message, const search::MatchResult& result) {
+  message.certified = result.certified;
+  message.replaced = result.replaced;
+  message.hit_cells = result.hit_cells;
+  message.hit_ratio = result.hit_ratio;
+  message.upper_bound = result.upper_bound;
+  message.has_runner_up = result.runner_up.has_value();
+  if (result.runner_up) {
+    const grid::Rigid2& T_reference_session = result.runner_up->T_reference_session;
+    message.runner_up_x = T_reference_session.x;
+    message.runner_up_y = T_reference_session.y;
+    message.runner_up_yaw = T_reference_session.yaw;
+    message.runner_up_ratio = result.runner_up->ratio;
+  }
+  message.margin = result.margin;
+  message.nearby_cells = result.nearby.cells;
+  message.nearby_ratio = result.nearby.ratio;
+  message.nearby_walls = result.nearby.walls;
+  message.nearby_walls_ratio = result.nearby.walls_ratio;
+}
+
+}  // namespace
+
+MapMatch toMessage(const search::MatchResult& result) {
+  MapMatch message;
+  message.status = statusConstant(result.status);
+  message.status_text = toString(result.status);
+  message.reason = result.reason;
+  const grid::Rigid2 T_reference_session = result.matched() ? result.T_reference_session : grid::Rigid2{};
+  message.T_reference_session = ros_common::toTransformMessage(T_reference_session);
+  message.x = T_reference_session.x;
+  message.y = T_reference_session.y;
+  message.yaw = T_reference_session.yaw;
+  Eigen::Map<RowMajor>(message.covariance.data()) = result.covariance;
+  message.refined = result.refined;
+  message.matched_cells = result.matched_cells;
+  message.total_cells = result.total_cells;
+  message.ratio = result.ratio;
+  fillCertificate(message, result);
+  for (const search::StageReport& stage : result.stages) {
+    message.stages.push_back(toMessage(stage));
+  }
+  message.search_time = result.search_time;
+  message.reference_time = result.reference_time;
+  return message;
+}
+
+MapMatch refusal(std::uint8_t status, const std::string& reason) {
+  MapMatch message;
+  message.status = status;
+  message.status_text = refusalText(status);
+  message.reason = reason;
+  message.T_reference_session = ros_common::toTransformMessage(grid::Rigid2{});
+  return message;
+}
+
+geometry_msgs::PoseWithCovariance robotPose(const MapMatch& match, const grid::Rigid2& T_session_base) {
+  geometry_msgs::PoseWithCovariance pose;
+  pose.pose = ros_common::toPoseMessage(grid::Rigid2{match.x, match.y, match.yaw} * T_session_base);
+  // Turning the session map about its origin moves the robot along.
+  const Eigen::Vector2d arm = grid::Rigid2{0.0, 0.0, match.yaw} * T_session_base.translation();
+  Eigen::Matrix3d jacobian = Eigen::Matrix3d::Identity();
+  jacobian(0, 2) = -arm.y();
+  jacobian(1, 2) = arm.x();
+  const Eigen::Matrix3d covariance =
+      jacobian * Eigen::Map<const RowMajor>(match.covariance.data()) * jacobian.transpose();
+  constexpr std::array<int, 3> kPlanar{0, 1, 5};  // x, y and yaw of x, y, z, roll, pitch and yaw
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) {
+      pose.covariance[static_cast<std::size_t>(6 * kPlanar[static_cast<std::size_t>(row)] +
+                                               kPlanar[static_cast<std::size_t>(column)])] = covariance(row, column);
+    }
+  }
+  return pose;
+}
+
+}  // namespace map_matcher::ros_matching

@@ -1,0 +1,70 @@
+#include "map_matcher/ros/matching/reference_source.hpp"
+
+#include <ros/console.h>
+
+#include <utility>
+
+#include "map_matcher/grid/map_file.hpp"
+#include "map_matcher/grid/occupied_cells.hpp"
+#include "map_matcher/ros/common/conversions.hpp"
+#include "map_matcher/ros/common/names.hpp"
+
+namespace map_matcher::ros_matching {
+namespace {
+
+/// The map of a message. Throws MessageError when it cannot serve as a reference.
+ReferenceMapPtr referenceOf(const nav_msgs::OccupancyGrid& message, int occupied_threshold) {
+  auto map = std::make_shared<const ReferenceMap>(
+      ReferenceMap{ros_common::fromMessage(message), ros_common::frameOf(message.header)});
+  if (grid::occupiedCells(map->grid, static_cast<std::int8_t>(occupied_threshold)).empty()) {
+    throw ros_common::MessageError("the map has no occupied cell among its " +
+                                   std::to_string(map->grid.values().size()) + ", expected at least one of " +
+                                   std::to_string(occupied_threshold) + " percent or more");
+  }
+  return map;
+}
+
+}  // namespace
+
+ReferenceSource::ReferenceSource(ros::NodeHandle node, ros::NodeHandle private_node, int occupied_threshold,
+                                 Listener listener)
+    : occupied_threshold_(occupied_threshold),
+      listener_(std::move(listener)),
+      publisher_(private_node.advertise<nav_msgs::OccupancyGrid>(ros_common::names::kReferenceMap, 1, true)),
+      subscriber_(node.subscribe(ros_common::names::kReferenceMap, 1, &ReferenceSource::onMap, this)) {}
+
+void ReferenceSource::load(const std::string& yaml_path, const std::string& frame) {
+  try {
+    use(ros_common::toMessage(grid::loadMap(yaml_path), frame, ros::Time::now()));
+  } catch (const ros_common::MessageError& error) {
+    throw ros_common::MessageError("the reference map " + yaml_path + ": " + error.what());
+  }
+}
+
+void ReferenceSource::take(const nav_msgs::OccupancyGrid& message) {
+  try {
+    use(message);
+  } catch (const ros_common::MessageError&) {
+    ++dropped_;
+    throw;
+  }
+}
+
+void ReferenceSource::onMap(const nav_msgs::OccupancyGridConstPtr& message) {
+  try {
+    take(*message);
+  } catch (const ros_common::MessageError& error) {
+    ROS_WARN_STREAM("reference map on " << topic() << " dropped (" << dropped_ << " so far): " << error.what());
+  }
+}
+
+void ReferenceSource::use(const nav_msgs::OccupancyGrid& message) {
+  const ReferenceMapPtr map = referenceOf(message, occupied_threshold_);
+  ROS_INFO_STREAM("reference map: " << map->grid.width() << " x " << map->grid.height() << " cells of "
+                                    << map->grid.resolution() << " m, frame \"" << map->frame << "\"");
+  const std::lock_guard<std::mutex> lock(use_mutex_);
+  publisher_.publish(message);
+  listener_(map);
+}
+
+}  // namespace map_matcher::ros_matching

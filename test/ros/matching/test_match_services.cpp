@@ -1,0 +1,60 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "map_matcher/ros/matching/match_services.hpp"
+
+namespace map_matcher::ros_matching {
+namespace {
+
+TEST(MatchToReferenceRequest, LeftAtZeroUsesTheNodesOptionsAndNoPrior) {
+  search::MatchOptions node;
+  node.coarse = {3.0, 0.4};
+  node.hits_sample_threshold = 500;
+
+  const search::MatchOptions options = optionsOf({}, node);
+
+  EXPECT_EQ(options.coarse.rotation_downsampling, 3.0);
+  EXPECT_EQ(options.coarse.acceptance_ratio, 0.4);
+  EXPECT_EQ(options.hits_sample_threshold, 500);
+  EXPECT_FALSE(priorOf({}).heading);
+  EXPECT_FALSE(priorOf({}).window);
+}
+
+TEST(MatchToReferenceRequest, LooksAtAllSessionCellsWhenAskedForMinusOne) {
+  search::MatchOptions node;
+  node.hits_sample_threshold = 500;
+  MatchToReference::Request request;
+  request.hits_sample_threshold = -1;
+
+  EXPECT_EQ(optionsOf(request, node).hits_sample_threshold, 0);
+}
+
+TEST(MatchToReferenceRequest, TurnsAnUnlimitedHeadingPriorIntoAnOrder) {
+  MatchToReference::Request request;
+  request.use_heading_prior = true;
+  request.heading = 1.5;
+
+  const search::MatchPrior prior = priorOf(request);
+
+  ASSERT_TRUE(prior.heading);
+  EXPECT_EQ(prior.heading->yaw, 1.5);
+  EXPECT_GE(prior.heading->half_width, M_PI);
+}
+
+TEST(MatchToReferenceRequest, RefusesAWindowOfNegativeSize) {
+  MatchToReference::Request request;
+  request.use_window_prior = true;
+  request.window_half_size_y = -0.5;
+
+  try {
+    priorOf(request);
+    FAIL() << "no exception";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(), "window_half_size_y is -0.5, expected at least 0 m");
+  }
+}
+
+}  // namespace
+}  // namespace map_matcher::ros_matching

@@ -1,0 +1,222 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <string>
+
+#include "map_matcher/simulation/office_building.hpp"
+#include "map_matcher/trials/simulated_trial.hpp"
+#include "map_matcher/trials/trial_table.hpp"
+
+namespace map_matcher::trials {
+namespace {
+
+grid::OccupancyGrid office() {
+  simulation::OfficeBuildingOptions options;
+  options.resolution = 0.05;
+  return simulation::officeBuilding(options);
+}
+
+TrialOptions trialOptions() {
+  TrialOptions options;
+  options.map_update_interval = 1.0;
+  return options;
+}
+
+simulation::DriveOptions driveOptions() {
+  simulation::DriveOptions options;
+  options.duration = 12.0;
+  options.rate = 5.0;
+  options.lidar.beams = 271;
+  return options;
+}
+
+/// What a trial makes of a simulated drive.
+std::vector<TrialQuery> queriesOf(const TrialOptions& options, const simulation::DriveOptions& drive) {
+  const grid::OccupancyGrid map = office();
+  Trial trial(map, options);
+  simulation::DriveSimulation simulation(map, drive);
+  while (const auto step = simulation.next()) {
+    trial.add(trialStepOf(*step, simulation.lidarPoses()));
+    for (const TrialDetections& detections : trialDetectionsOf(*step)) {
+      trial.add(detections);
+    }
+  }
+  return trial.matching().queries();
+}
+
+TEST(Trial, LocalizesARobotThatDrivesThroughAnOffice) {
+  const std::vector<TrialQuery> queries = queriesOf(trialOptions(), driveOptions());
+
+  ASSERT_GE(queries.size(), 4U);
+  const TrialQuery& last = queries.back();
+  ASSERT_TRUE(last.result.matched()) << last.result.reason;
+  EXPECT_LT(last.robotError()->translation, 0.1);
+  EXPECT_LT(evaluation::errorOf(*last.alignment(), *last.true_alignment).translation, 0.15);
+  EXPECT_GT(last.travelled, 2.0);
+  EXPECT_EQ(last.session, 0);
+  EXPECT_EQ(last.session_age, last.time);
+  EXPECT_LT(last.falsely_occupied, last.occupied / 10);
+}
+
+TEST(Trial, BeginsANewSessionWheneverTheIntervalIsOver) {
+  TrialOptions options = trialOptions();
+  options.restart_interval = 4.0;
+
+  const std::vector<TrialQuery> queries = queriesOf(options, driveOptions());
+
+  EXPECT_EQ(queries.back().session, 3);  // 0, 4, 8, 12 s
+  for (const TrialQuery& query : queries) {
+    EXPECT_LT(query.session_age, 4.0);
+    if (query.session_age == 0.0) {
+      EXPECT_EQ(query.travelled, 0.0);
+    }
+    if (query.result.matched() && query.travelled > 1.0) {
+      EXPECT_LT(query.robotError()->translation, 0.2) << "at " << query.time << " s";
+    }
+  }
+}
+
+TEST(Trial, ScrubsPeopleOutOfTheScans) {
+  simulation::DriveOptions drive = driveOptions();
+  drive.duration = 20.0;
+  drive.pedestrians.density = 0.4;
+  drive.pedestrians.standing_share = 1.0;
+  TrialOptions options = trialOptions();
+  const int original = queriesOf(options, drive).back().falsely_occupied;
+
+  options.scrub = true;
+  const int scrubbed = queriesOf(options, drive).back().falsely_occupied;
+
+  EXPECT_LT(scrubbed, original);
+}
+
+TEST(Trial, IsNotChangedByScrubbingWhereNobodyIs) {
+  TrialOptions options = trialOptions();
+  const std::vector<TrialQuery> original = queriesOf(options, driveOptions());
+  options.scrub = true;
+  const std::vector<TrialQuery> scrubbed = queriesOf(options, driveOptions());
+
+  ASSERT_EQ(original.size(), scrubbed.size());
+  EXPECT_EQ(original.back().result.matched_cells, scrubbed.back().result.matched_cells);
+  EXPECT_EQ(original.back().occupied, scrubbed.back().occupied);
+}
+
+TEST(Trial, RefusesOptionsOutOfRange) {
+  TrialOptions options = trialOptions();
+  options.scrubbing.max_removed_fraction = 2.0;
+
+  EXPECT_THROW(Trial(office(), options), std::invalid_argument);
+}
+
+std::vector<std::string> cellsOf(const std::string& line) {
+  std::vector<std::string> cells;
+  std::stringstream text(line + ",");
+  for (std::string cell; std::getline(text, cell, ',');) {
+    cells.push_back(cell);
+  }
+  return cells;
+}
+
+TEST(TrialTable, HasACellInEachRowForEachName) {
+  const std::vector<TrialQuery> queries = queriesOf(trialOptions(), driveOptions());
+
+  std::stringstream csv(toCsv(queries));
+  std::string line;
+  std::getline(csv, line);
+  const std::vector<std::string> names = cellsOf(line);
+  std::size_t num_rows = 0;
+  for (; std::getline(csv, line); ++num_rows) {
+    EXPECT_EQ(cellsOf(line).size(), names.size());
+  }
+  EXPECT_EQ(num_rows, queries.size());
+  EXPECT_EQ(names.front(), "session");
+}
+
+TEST(TrialTable, LeavesEmptyWhatIsNotKnown) {
+  TrialQuery query;
+  query.time = 2.5;
+  query.result.status = search::MatchStatus::kBelowAcceptanceRatio;
+
+  const std::string csv = toCsv({query});
+
+  const std::string row = csv.substr(csv.find('\n') + 1);
+  EXPECT_EQ(row.rfind("0,2.5,0,0,below_acceptance_ratio,0,", 0), 0U) << row;
+  EXPECT_NE(row.find(",,,,,,"), std::string::npos);
+}
+
+/// The cell of the only row of a table below a name.
+std::string cellOf(const std::string& csv, const std::string& name) {
+  std::stringstream lines(csv);
+  std::string header;
+  std::string row;
+  std::getline(lines, header);
+  std::getline(lines, row);
+  const std::vector<std::string> names = cellsOf(header);
+  const auto column = std::find(names.begin(), names.end(), name) - names.begin();
+  return cellsOf(row).at(static_cast<std::size_t>(column));
+}
+
+TEST(TrialTable, TellsWhatTheExactSearchProved) {
+  TrialQuery query;
+  query.result.certified = true;
+  query.result.hit_ratio = 0.75;
+  query.result.upper_bound = 0.8;
+  query.result.margin = 0.25;
+  query.result.nearby = {200, 0.75, 90, 0.5};
+  search::StageReport exact;
+  exact.name = "exact";
+  exact.initialization_time = 0.5;
+  exact.rotation_expansion_time = 0.25;
+  exact.depth_first_search_time = 2.0;
+  query.result.stages = {exact};
+
+  const std::string csv = toCsv({query});
+
+  EXPECT_EQ(cellOf(csv, "certified"), "1");
+  EXPECT_EQ(cellOf(csv, "hit_ratio"), "0.75");
+  EXPECT_EQ(cellOf(csv, "upper_bound"), "0.8");
+  EXPECT_EQ(cellOf(csv, "margin"), "0.25");
+  EXPECT_EQ(cellOf(csv, "nearby_cells"), "200");
+  EXPECT_EQ(cellOf(csv, "nearby_ratio"), "0.75");
+  EXPECT_EQ(cellOf(csv, "nearby_walls"), "90");
+  EXPECT_EQ(cellOf(csv, "nearby_walls_ratio"), "0.5");
+  EXPECT_EQ(cellOf(csv, "exact_time"), "2.75");
+}
+
+TEST(TrialTable, SaysNothingOfAnExactSearchThatDidNotRun) {
+  const std::string csv = toCsv({TrialQuery{}});
+
+  for (const char* name : {"certified", "hit_ratio", "upper_bound", "margin", "exact_time"}) {
+    EXPECT_EQ(cellOf(csv, name), "") << name;
+  }
+}
+
+TEST(TrialTable, IsTheSameForTheSameSeed) {
+  const auto without_times = [](const std::string& csv) {
+    std::string kept;
+    std::stringstream lines(csv);
+    std::string line;
+    std::getline(lines, line);
+    const std::vector<std::string> names = cellsOf(line);
+    while (std::getline(lines, line)) {
+      const std::vector<std::string> cells = cellsOf(line);
+      for (std::size_t n = 0; n < cells.size(); ++n) {
+        const bool is_duration = names[n].size() > 5 && names[n].substr(names[n].size() - 5) == "_time";
+        kept += is_duration ? "" : cells[n] + ",";
+      }
+    }
+    return kept;
+  };
+  simulation::DriveOptions drive = driveOptions();
+  drive.pedestrians.density = 0.2;
+
+  const std::string once = toCsv(queriesOf(trialOptions(), drive));
+  const std::string again = toCsv(queriesOf(trialOptions(), drive));
+
+  EXPECT_EQ(without_times(once), without_times(again));
+}
+
+}  // namespace
+}  // namespace map_matcher::trials
