@@ -93,7 +93,7 @@ const BadMap kBadMaps[] = {
     {"ModeUnknown", withLine("mode: binary"), {"mode is binary", "trinary, scale or raw"}},
 };
 
-INSTANTIATE_TEST_SUITE_P(LoadMap, BadMapFile, testing::ValuesIn(kBadMaps),
+INSTANTIATE_TEST_SUITE_P(LoadBadMap, BadMapFile, testing::ValuesIn(kBadMaps),
                          [](const auto& tested) { return tested.param.name; });
 
 /// A file that is no image.
@@ -127,7 +127,7 @@ const BadImage kBadImages[] = {
     {"NegativeSize", "P5 -3 -3 255\n"},
 };
 
-INSTANTIATE_TEST_SUITE_P(LoadMap, BadImageFile, testing::ValuesIn(kBadImages),
+INSTANTIATE_TEST_SUITE_P(LoadBadMap, BadImageFile, testing::ValuesIn(kBadImages),
                          [](const auto& tested) { return tested.param.name; });
 
 /// The first bytes of an image of 20,000 x 20,000 pixels.
@@ -149,10 +149,10 @@ TEST_P(LargeImageFile, IsRefusedByItsHeader) {
   EXPECT_NE(refusal.find("has 20000 x 20000 pixels, expected at most 268435456 in all"), std::string::npos) << refusal;
 }
 
-INSTANTIATE_TEST_SUITE_P(LoadMap, LargeImageFile, testing::ValuesIn(kLargeImages),
+INSTANTIATE_TEST_SUITE_P(LoadBadMap, LargeImageFile, testing::ValuesIn(kLargeImages),
                          [](const auto& tested) { return tested.param.name; });
 
-TEST(LoadMap, NamesAMapFileThatDoesNotExist) {
+TEST(LoadBadMap, NamesAMapFileThatDoesNotExist) {
   const TemporaryDir dir;
   for (const std::string& path : {dir / "absent.yaml", dir / ".", dir / std::string(300, 'a')}) {
     try {

@@ -9,29 +9,39 @@
 #include <string>
 #include <vector>
 
+#include "support/source_dir.hpp"
+
 namespace map_matcher {
 namespace {
 
 namespace fs = std::filesystem;
 using Names = std::set<std::string>;
 
-const fs::path kSource = MAP_MATCHER_SOURCE_DIR;
+const fs::path kSource = test::sourceDir();
 
 /// The rooms below ros/, and the rooms whose headers each may include besides its own.
 const std::map<std::string, Names> kRooms = {
     {"parameters", {}},
     {"files", {}},
+    {"work", {}},
     {"grid", {"files", "parameters"}},
-    {"search", {"grid", "parameters"}},
-    {"tracking", {"grid", "parameters", "search"}},
     {"scan", {"grid"}},
+    {"search", {"grid", "parameters", "work"}},
+    {"belief", {"grid", "parameters", "search"}},
+    {"scrubbing", {"grid", "parameters", "scan"}},
     {"mapping", {"grid", "parameters", "scan"}},
     {"localization", {"grid", "parameters", "scan"}},
-    {"scrubbing", {"grid", "parameters", "scan"}},
     {"simulation", {"grid", "parameters", "scan"}},
-    {"evaluation",
-     {"files", "grid", "localization", "mapping", "parameters", "scan", "scrubbing", "search", "simulation",
-      "tracking"}},
+    {"evaluation", {"files", "grid", "parameters", "search"}},
+    {"trials",
+     {"belief", "evaluation", "files", "grid", "localization", "mapping", "parameters", "scan", "scrubbing", "search",
+      "simulation"}},
+};
+
+/// The rooms in search/ that may not include the headers of others in it.
+const std::map<std::string, Names> kUnknownToSearchRooms = {
+    {"search/counting", {"exact", "refinement", "two_stage"}},
+    {"search/refinement", {"exact", "two_stage"}},
 };
 
 /// Directories that know ROS, or whose programs may.
@@ -44,6 +54,7 @@ struct Include {
   bool system = false;  ///< Whether it stands in angle brackets.
 
   std::string library() const { return header.substr(0, header.find('/')); }
+  bool isPrivate() const { return header.rfind("map_matcher/", 0) != 0; }
   bool inDirectory() const { return header.find('/') != std::string::npos; }
 };
 
@@ -127,17 +138,43 @@ TEST(Rooms, IncludeOnlyTheStandardLibraryEigenAndTheirOwnTools) {
 }
 
 TEST(Rooms, KnowOnlyTheRoomsBelowThem) {
-  const std::regex project_header("map_matcher/([a-z_]+)/[a-z0-9_]+\\.hpp");
+  const std::regex project_header("map_matcher/([a-z]+)/([a-z_]+/)?[a-z0-9_]+\\.hpp");
   std::smatch match;
   for (const auto& [room, known] : kRooms) {
     for (const Include& include : includesOfRoom(room)) {
-      if (include.system || !include.inDirectory()) {
-        continue;  // foreign, or a private header beside the source file
+      if (include.system || include.isPrivate()) {
+        continue;
       }
       ASSERT_TRUE(std::regex_match(include.header, match, project_header))
           << include.file << " includes \"" << include.header << "\"; expected a header of a room";
       EXPECT_TRUE(match[1] == room || known.count(match[1]) == 1)
           << include.file << " of " << room << " includes \"" << include.header << "\" of a room it may not know";
+    }
+  }
+}
+
+TEST(Rooms, InTheSearchKnowNoneThatUsesThem) {
+  for (const auto& [room, unknown] : kUnknownToSearchRooms) {
+    const std::vector<Include> includes = includesOfRoom(room);
+    EXPECT_FALSE(includes.empty()) << room;
+    for (const Include& include : includes) {
+      for (const std::string& other : unknown) {
+        EXPECT_EQ(include.header.find("/" + other + "/"), std::string::npos)
+            << include.file << " includes \"" << include.header << "\" of a room it may not know";
+      }
+    }
+  }
+}
+
+TEST(Rooms, SharePrivateHeadersWithNoOther) {
+  for (const auto& [room, known] : kRooms) {
+    for (const Include& include : includesOfRoom(room)) {
+      if (!include.system && include.isPrivate()) {
+        const fs::path header = (include.file.parent_path() / include.header).lexically_normal();
+        EXPECT_EQ(header.string().rfind("src/" + room + "/", 0), 0U)
+            << include.file << " includes \"" << include.header << "\", a private header of another room";
+        EXPECT_TRUE(fs::exists(kSource / header)) << header;
+      }
     }
   }
 }

@@ -11,6 +11,7 @@
 #include "map_matcher/ros/matching/map_matcher_server_options.hpp"
 #include "map_matcher/ros/scrubbing/lidar_scrubber_server_options.hpp"
 #include "map_matcher/ros/simulation/crowd_simulator_server_options.hpp"
+#include "support/source_dir.hpp"
 
 namespace map_matcher {
 namespace {
@@ -41,27 +42,27 @@ std::map<std::string, Entry> readEntries(const std::string& path) {
 
 struct CrowdSimulatorFile {
   using Options = ros_simulation::CrowdSimulatorServerOptions;
-  static constexpr const char* kPath = MAP_MATCHER_SOURCE_DIR "/config/crowd_simulator.yaml";
+  static constexpr const char* kPath = "config/crowd_simulator.yaml";
 };
 
 struct LidarScrubberFile {
   using Options = ros_scrubbing::LidarScrubberServerOptions;
-  static constexpr const char* kPath = MAP_MATCHER_SOURCE_DIR "/config/lidar_scrubber.yaml";
+  static constexpr const char* kPath = "config/lidar_scrubber.yaml";
 };
 
 struct MapMatcherFile {
   using Options = ros_matching::MapMatcherServerOptions;
-  static constexpr const char* kPath = MAP_MATCHER_SOURCE_DIR "/config/map_matcher.yaml";
+  static constexpr const char* kPath = "config/map_matcher.yaml";
 };
 
 struct PoseEvaluatorFile {
   using Options = ros_evaluation::PoseEvaluatorOptions;
-  static constexpr const char* kPath = MAP_MATCHER_SOURCE_DIR "/config/pose_evaluator.yaml";
+  static constexpr const char* kPath = "config/pose_evaluator.yaml";
 };
 
 struct SessionMapperFile {
   using Options = ros_mapping::SessionMapperServerOptions;
-  static constexpr const char* kPath = MAP_MATCHER_SOURCE_DIR "/config/session_mapper.yaml";
+  static constexpr const char* kPath = "config/session_mapper.yaml";
 };
 
 /// The file of a node's parameters, and the options that it is to describe.
@@ -70,7 +71,7 @@ class ParameterFile : public testing::Test {
  protected:
   typename File::Options options;
   parameters::ParameterList parameters = parametersOf(options);
-  std::map<std::string, Entry> entries = readEntries(File::kPath);
+  std::map<std::string, Entry> entries = readEntries(test::sourceFile(File::kPath));
 };
 
 using Files =
@@ -100,7 +101,7 @@ TYPED_TEST(ParameterFile, HoldsTheDefaults) {
     std::visit([](auto* field) { *field = {}; }, parameter.value);
   }
 
-  parameters::loadYamlParameters(TypeParam::kPath, actual);
+  parameters::loadYamlParameters(test::sourceFile(TypeParam::kPath), actual);
 
   for (std::size_t n = 0; n < actual.size(); ++n) {
     EXPECT_EQ(parameters::valueText(actual[n]), parameters::valueText(this->parameters[n])) << actual[n].name;

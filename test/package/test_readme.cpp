@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "map_matcher/ros/matching/map_matcher_server_options.hpp"
+#include "support/source_dir.hpp"
 
 namespace map_matcher {
 namespace {
@@ -27,7 +28,7 @@ std::vector<std::string> cellsOf(const std::string& row) {
 /// Rows of the README's table of parameters, by name.
 std::map<std::string, std::vector<std::string>> parameterRows() {
   std::map<std::string, std::vector<std::string>> rows;
-  std::ifstream file(MAP_MATCHER_SOURCE_DIR "/README.md");
+  std::ifstream file(test::sourceFile("README.md"));
   for (std::string line; std::getline(file, line);) {
     if (line.rfind("| `~", 0) == 0) {
       const std::vector<std::string> cells = cellsOf(line);

@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <optional>
 
+#include "support/source_dir.hpp"
+
 namespace map_matcher::test {
 
 /// The directory of the evaluation data: the environment variable MAP_MATCHER_DATA, else ../shared/data beside the
@@ -13,8 +15,7 @@ namespace map_matcher::test {
 inline std::optional<std::filesystem::path> dataDir() {
   const char* chosen = std::getenv("MAP_MATCHER_DATA");
   const std::filesystem::path dir =
-      chosen != nullptr ? std::filesystem::path(chosen)
-                        : std::filesystem::path(MAP_MATCHER_SOURCE_DIR).parent_path() / "shared" / "data";
+      chosen != nullptr ? std::filesystem::path(chosen) : sourceDir().parent_path() / "shared" / "data";
   std::error_code unreadable;
   if (!std::filesystem::is_directory(dir, unreadable)) {
     return std::nullopt;

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "support/program.hpp"
+#include "support/source_dir.hpp"
 #include "support/temporary_dir.hpp"
 
 namespace map_matcher {
@@ -19,7 +20,7 @@ const std::string kTools = std::filesystem::path(EVALUATE_DRIVE).parent_path().s
 class Evaluate : public testing::Test {
  protected:
   ProgramRun run(const std::string& arguments) const {
-    return test::runProgram(MAP_MATCHER_SOURCE_DIR "/scripts/evaluate",
+    return test::runProgram(test::sourceFile("scripts/evaluate"),
                             "--tools " + kTools + " --output " + output + " " + arguments);
   }
 

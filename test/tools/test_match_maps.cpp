@@ -11,6 +11,7 @@
 
 #include "map_matcher/grid/map_file.hpp"
 #include "support/random_maps.hpp"
+#include "support/source_dir.hpp"
 #include "support/temporary_dir.hpp"
 
 namespace map_matcher {
@@ -147,7 +148,7 @@ TEST_F(MatchMaps, BadInputExitsWithTwoAndNamesIt) {
 }
 
 TEST_F(MatchMaps, TakesTheParameterFileOfTheNode) {
-  const Run match = run(maps() + " --config '" MAP_MATCHER_SOURCE_DIR "/config/map_matcher.yaml'");
+  const Run match = run(maps() + " --config '" + test::sourceFile("config/map_matcher.yaml") + "'");
 
   EXPECT_EQ(match.status, 0) << match.errors;
   EXPECT_EQ(match.errors, "");

@@ -7,6 +7,7 @@
 #include "map_matcher/parameters/yaml_parameters.hpp"
 #include "map_matcher/ros/simulation/crowd_simulator_server_options.hpp"
 #include "map_matcher/simulation/office_building.hpp"
+#include "support/source_dir.hpp"
 #include "support/thrown_text.hpp"
 
 namespace map_matcher::ros_simulation {
@@ -42,7 +43,7 @@ TEST(CrowdSimulatorServerOptions, withoutAStartGiveARandomOne) {
 /// The parameters that launch/crowd_simulator.launch robot:=pepper adds are those of the simulated Pepper elsewhere.
 TEST(CrowdSimulatorServerOptions, ofAPepperAreThoseOfEveryOtherProgram) {
   Options options;
-  parameters::loadYamlParameters(MAP_MATCHER_SOURCE_DIR "/config/crowd_simulator_pepper.yaml", parametersOf(options));
+  parameters::loadYamlParameters(test::sourceFile("config/crowd_simulator_pepper.yaml"), parametersOf(options));
   simulation::DriveOptions actual = driveOf(options);
   simulation::DriveOptions expected = Options().drive;
   simulation::equipAsPepper(expected);
