@@ -76,7 +76,7 @@ TEST(Beams, KeepTheirHitsWhenTheFanIsMoved) {
   EXPECT_EQ(countHits(fan), 2);
 }
 
-TEST(scan::PlanarScan, ThatIsNotValidNamesTheFieldAndItsValue) {
+TEST(PlanarScan, ThatIsNotValidNamesTheFieldAndItsValue) {
   const auto messageFor = [](const scan::PlanarScan& scan) -> std::string {
     try {
       scan.validate();
