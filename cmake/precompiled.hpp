@@ -1,6 +1,6 @@
 /// \file
-/// What nearly every source includes, compiled once for the libraries and once for their tests. Sources include what they
-/// use all the same.
+/// What nearly every source includes, compiled once for the libraries and once for their tests. Sources include what
+/// they use all the same.
 #pragma once
 
 #include <Eigen/Core>
