@@ -160,6 +160,74 @@ TEST(LatestJobWorker, SurvivesAnExceptionThatIsNotOfTheStandardLibrary) {
   EXPECT_TRUE(runsJob(worker));
 }
 
+TEST(LatestJobWorker, TellsTheSubmitterWhatItsJobThrewBeforeTheNextJobRuns) {
+  std::vector<std::string> told;
+  LatestJobWorker worker([&](const std::string& what) { told.push_back("all: " + what); });
+
+  worker.submit([](const StopToken&) { throw std::runtime_error("no memory"); },
+                [&](const std::string& what, const StopToken& stop) {
+                  told.push_back("first: " + what + (stop.stopRequested() ? ", stopped" : ""));
+                });
+  while (!runsJob(worker) || told.empty()) {  // a job that waits is replaced
+  }
+
+  EXPECT_EQ(told, (std::vector<std::string>{"first: no memory", "all: no memory"}));
+}
+
+TEST(LatestJobWorker, TellsTheSubmitterOfNoOtherJobsFailure) {
+  int told = 0;
+  std::promise<std::string> failure;
+  LatestJobWorker worker([&](const std::string& what) { failure.set_value(what); });
+  const auto count = [&](const std::string&, const StopToken&) { ++told; };
+  std::promise<void> done;
+  worker.submit([&](const StopToken&) { done.set_value(); }, count);
+  done.get_future().wait();
+
+  worker.submit([](const StopToken&) { throw std::runtime_error("of another"); });
+
+  EXPECT_EQ(failure.get_future().get(), "of another");
+  EXPECT_EQ(told, 0);
+}
+
+TEST(LatestJobWorker, TellsTheSubmitterThatItsJobWasStoppedBeforeItThrew) {
+  std::promise<void> began;
+  std::promise<bool> stopped;
+  LatestJobWorker worker(ignoreFailure);
+  worker.submit(
+      [&](const StopToken& stop) {
+        began.set_value();
+        while (!stop.stopRequested()) {
+          std::this_thread::yield();
+        }
+        throw std::runtime_error("too late");
+      },
+      [&](const std::string&, const StopToken& stop) { stopped.set_value(stop.stopRequested()); });
+  began.get_future().wait();
+
+  worker.cancel();
+
+  EXPECT_TRUE(stopped.get_future().get());
+}
+
+TEST(LatestJobWorker, GoesOnAndEndsWhenHandlersThrow) {
+  std::vector<std::string> told;
+  bool ran = false;
+  {
+    LatestJobWorker worker([&](const std::string& what) {
+      told.push_back(what);
+      throw std::runtime_error("from the handler of all");
+    });
+    worker.submit([](const StopToken&) { throw std::runtime_error("no memory"); },
+                  [](const std::string&, const StopToken&) { throw std::runtime_error("no memory left at all"); });
+    while (told.size() < 2 && runsJob(worker)) {
+    }
+    ran = runsJob(worker);
+  }
+
+  EXPECT_TRUE(ran);
+  EXPECT_EQ(told, (std::vector<std::string>{"no memory", "the handler of a failure: no memory left at all"}));
+}
+
 TEST(LatestJobWorker, DestructionStopsTheRunningJobAndWaitsForIt) {
   UntilStopped running;
   bool waiting_ran = false;
