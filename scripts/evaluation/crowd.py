@@ -112,12 +112,12 @@ def outcome_of(variant, trials):
     wrong = [row for row in matched if row["translation_error"] is not None and row["translation_error"] > RIGHT]
     misplaced = [row for row in matched if row["alignment_x_error"] is not None and
                  math.hypot(row["alignment_x_error"], row["alignment_y_error"]) > RIGHT]
-    astray = [row for row in queries if row["status"] == "robot_astray"]
+    lost = [row for row in queries if row["status"] == "robot_lost"]
     drift = Statistics(absolute([row["heading_drift"] for row in queries])).mean
     return "With %s scans, %d of %d session maps were matched%s; the alignment of %d of them is more than %g m off, " \
            "the robot's pose with %d of them; the heading of the mapper was %.1f mrad off in the mean." % (
                variant, len(matched), len(queries),
-               ", and %d more fitted, but not around the robot (robot_astray)" % len(astray) if astray else "",
+               ", and %d more fitted, but not around the robot (robot_lost)" % len(lost) if lost else "",
                len(misplaced), RIGHT, len(wrong), 1e3 * drift)
 
 
@@ -154,7 +154,7 @@ def report(planned, page):
         "loops, as session_mapper, it grows with the mapper's drift in heading times the distance from the start, "
         "while the error of the robot's pose stays that of the session map around it. Where the robot is far off and "
         "the alignment is not, the mapper has lost the robot in its own map, which still matches with what was drawn "
-        "before; once it no longer fits around the robot, it is robot_astray. The report's mapper is slam_gmapping; "
+        "before; once it no longer fits around the robot, it is robot_lost. The report's mapper is slam_gmapping; "
         "`--mapper gmapping` adds it where it is installed.",
         *parts, arguments_of(every_run))
 

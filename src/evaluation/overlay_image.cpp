@@ -34,8 +34,9 @@ using Points = std::vector<Eigen::Vector2d>;
 
 /// Points of the session map frame in cells of the reference grid.
 Points toReferenceCells(const grid::OccupancyGrid& reference, const grid::Rigid2& T_reference_session,
-                        const Points& points) {
-  const grid::Rigid2 T_grid_session = reference.geometry().T_map_grid.inverse() * T_reference_session;
+                        const Points& points, double reference_cell_offset) {
+  const grid::Rigid2 T_reference_grid = search::cornerOf(reference.geometry(), reference_cell_offset);
+  const grid::Rigid2 T_grid_session = T_reference_grid.inverse() * T_reference_session;
   Points cells;
   for (const Eigen::Vector2d& p : points) {
     cells.emplace_back(T_grid_session * p / reference.resolution());
@@ -95,15 +96,16 @@ void drawCells(cv::Mat& image, const Points& cells, const View& view, const cv::
 
 void writeOverlayImage(const std::string& path, const grid::OccupancyGrid& reference,
                        const grid::OccupancyGrid& session, const std::optional<grid::Rigid2>& T_reference_session,
-                       std::int8_t occupied_threshold) {
+                       const search::MatchOptions& options) {
   Points matched;
   Points unmatched;
   if (T_reference_session) {
-    const search::MatchedCells cells =
-        search::splitByMatch(reference, session, *T_reference_session, occupied_threshold);
-    matched = toReferenceCells(reference, *T_reference_session, cells.matched);
-    unmatched = toReferenceCells(reference, *T_reference_session, cells.unmatched);
+    const search::MatchedCells cells = search::splitByMatch(reference, session, *T_reference_session, options);
+    const double offset = options.reference_map_cell_offset;
+    matched = toReferenceCells(reference, *T_reference_session, cells.matched, offset);
+    unmatched = toReferenceCells(reference, *T_reference_session, cells.unmatched, offset);
   }
+  const auto occupied_threshold = static_cast<std::int8_t>(options.occupied_threshold);
   const View view = chooseView(reference, {matched, unmatched}, occupied_threshold);
   cv::Mat image = drawReference(reference, view, occupied_threshold);
   drawCells(image, unmatched, view, kUnmatchedColour);

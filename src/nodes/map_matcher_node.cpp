@@ -7,5 +7,5 @@
 int main(int argc, char** argv) {
   return map_matcher::ros_common::runNode<map_matcher::ros_matching::MapMatcherServer,
                                           map_matcher::ros_matching::MapMatcherServerOptions>(
-      argc, argv, map_matcher::names::kNode);
+      argc, argv, map_matcher::ros_common::names::kNode);
 }

@@ -155,8 +155,7 @@ int matchMaps(const Arguments& arguments) {
   }
   if (!arguments.overlay.empty()) {
     const auto pose = result.matched() ? std::optional<grid::Rigid2>(result.T_reference_session) : std::nullopt;
-    map_matcher::evaluation::writeOverlayImage(arguments.overlay, reference, session, pose,
-                                               static_cast<std::int8_t>(options.occupied_threshold));
+    map_matcher::evaluation::writeOverlayImage(arguments.overlay, reference, session, pose, options);
   }
   return result.matched() ? map_matcher::tools::kDone : kNoMatch;
 }

@@ -9,6 +9,7 @@ from node_fixture import NodeFixture, is_between, run, stamped_transform, wait_f
 
 START = (12.3, 7.1, 0.7)  # T_reference_session
 PERIOD = 0.05  # [s], of the other node's transforms
+SELDOM = 3.0  # [s]
 
 
 class ForeignParent(NodeFixture):
@@ -36,6 +37,22 @@ class ForeignParent(NodeFixture):
         sending.shutdown()
 
         self.assert_pose(self.wait_for_tf("map", "session_map").transform, START)
+
+    def test_that_is_sent_seldom_silences_the_node_all_the_same(self):
+        other = rospy.Publisher("/tf", tf2_msgs.msg.TFMessage, queue_size=10)
+        wait_until(lambda: other.get_num_connections() == 2, "the node and this test listen to /tf")
+        self.reference.publish(reference_map())
+        self.match(session_map(START))
+        self.wait_for_tf("map", "session_map")
+        sending = rospy.Timer(rospy.Duration(SELDOM), lambda _: other.publish(
+            [stamped_transform("odom", "session_map", (0.0, 0.0, 0.0), rospy.Time.now())]))
+        self.log.wait_for(lambda line: line.level == line.ERROR and "already has the parent" in line.msg, "error")
+
+        self.tf.clear()
+        self.tf.wait_for(lambda tf: len(self.tf.messages) >= 3, "three transforms of the other node")
+
+        self.assertFalse([t for tf in self.tf.messages for t in tf.transforms if is_between(t, "map", "session_map")])
+        sending.shutdown()
 
 
 if __name__ == "__main__":

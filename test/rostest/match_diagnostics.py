@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """The node tells on /diagnostics what it waits for, and whether the alignment on tf is that of the last map."""
 from diagnostic_msgs.msg import DiagnosticStatus
+from geometry_msgs.msg import PoseWithCovarianceStamped
 
 from building import FREE, OCCUPIED, grid, reference_map, session_map
 from map_matcher.msg import MapMatch
-from node_fixture import NodeFixture, run, wait_for_diagnostic
+from node_fixture import Listener, NodeFixture, broadcast_static, run, wait_for_diagnostic
 
 START = (12.3, 7.1, 0.7)  # T_reference_session
 
@@ -30,6 +31,13 @@ class MatchDiagnostics(NodeFixture):
         self.reference.publish(reference_map())
         reference = self.wait_for("reference map", DiagnosticStatus.OK, "in use")
         self.assertEqual(reference["size [cells]"], "%d x %d" % (reference_map().info.width, reference_map().info.height))
+        self.match(session_map(START))
+        self.wait_for("alignment", DiagnosticStatus.WARN, "whether the mapper has lost the robot is not checked: "
+                      'tf knows no frame "base_link"')
+        pose = Listener("match_pose", PoseWithCovarianceStamped)
+        self.static_broadcaster = broadcast_static("session_map", "base_link", (0.0, 0.0, 0.0))
+        self.match(session_map(START))
+        pose.wait_for(lambda _: True, "match_pose: the node knows where the robot is")
         match = self.match(session_map(START))
         alignment = self.wait_for("alignment", DiagnosticStatus.OK, "that of the last map")
         self.assertEqual(alignment["x, y [m], yaw [rad]"], "%.3f, %.3f, %.4f" % (match.x, match.y, match.yaw))
@@ -44,7 +52,7 @@ class MatchDiagnostics(NodeFixture):
         bad.data = bad.data[:-1]
         self.match(bad, MapMatch.INVALID_MAP)
         session = self.wait_for("session maps", DiagnosticStatus.WARN, "the last one was dropped: ")
-        self.assertEqual((session["session maps"], session["dropped"]), ("4", "1"))
+        self.assertEqual((session["session maps"], session["dropped"]), ("6", "1"))
 
         self.match(session_map(START))
         self.wait_for("alignment", DiagnosticStatus.OK, "that of the last map")

@@ -160,6 +160,76 @@ TEST(LatestJobWorker, SurvivesAnExceptionThatIsNotOfTheStandardLibrary) {
   EXPECT_TRUE(runsJob(worker));
 }
 
+TEST(LatestJobWorker, TellsTheSubmitterWhatItsJobThrewBeforeAllElse) {
+  std::string told;
+  std::promise<std::string> all;
+  LatestJobWorker worker([&](const std::string& what) { all.set_value(told + "; " + what); });
+
+  worker.submit([](const StopToken&) { throw std::runtime_error("no memory"); },
+                [&](const std::string& what, const StopToken& stop) {
+                  told = what + (stop.stopRequested() ? ", stopped" : " for the submitter");
+                });
+
+  EXPECT_EQ(all.get_future().get(), "no memory for the submitter; no memory");
+}
+
+TEST(LatestJobWorker, TellsTheSubmitterOfNoOtherJobsFailure) {
+  int told = 0;
+  std::promise<std::string> failure;
+  LatestJobWorker worker([&](const std::string& what) { failure.set_value(what); });
+  const auto count = [&](const std::string&, const StopToken&) { ++told; };
+  std::promise<void> done;
+  worker.submit([&](const StopToken&) { done.set_value(); }, count);
+  done.get_future().wait();
+
+  worker.submit([](const StopToken&) { throw std::runtime_error("of another"); });
+
+  EXPECT_EQ(failure.get_future().get(), "of another");
+  EXPECT_EQ(told, 0);
+}
+
+TEST(LatestJobWorker, TellsTheSubmitterThatItsJobWasStoppedBeforeItThrew) {
+  std::promise<void> began;
+  std::promise<bool> stopped;
+  LatestJobWorker worker(ignoreFailure);
+  worker.submit(
+      [&](const StopToken& stop) {
+        began.set_value();
+        while (!stop.stopRequested()) {
+          std::this_thread::yield();
+        }
+        throw std::runtime_error("too late");
+      },
+      [&](const std::string&, const StopToken& stop) { stopped.set_value(stop.stopRequested()); });
+  began.get_future().wait();
+
+  worker.cancel();
+
+  EXPECT_TRUE(stopped.get_future().get());
+}
+
+TEST(LatestJobWorker, GoesOnAndEndsWhenHandlersThrow) {
+  std::vector<std::string> told;
+  std::promise<void> told_both;
+  bool ran = false;
+  {
+    LatestJobWorker worker([&](const std::string& what) {
+      told.push_back(what);
+      if (told.size() == 2) {
+        told_both.set_value();
+      }
+      throw std::runtime_error("from the handler of all");
+    });
+    worker.submit([](const StopToken&) { throw std::runtime_error("no memory"); },
+                  [](const std::string&, const StopToken&) { throw std::runtime_error("no memory left at all"); });
+    told_both.get_future().wait();
+    ran = runsJob(worker);
+  }
+
+  EXPECT_TRUE(ran);
+  EXPECT_EQ(told, (std::vector<std::string>{"no memory", "the handler of a failure: no memory left at all"}));
+}
+
 TEST(LatestJobWorker, DestructionStopsTheRunningJobAndWaitsForIt) {
   UntilStopped running;
   bool waiting_ran = false;

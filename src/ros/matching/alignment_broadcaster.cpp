@@ -40,9 +40,6 @@ TfMode tfModeOf(const std::string& text) {
 
 AlignmentBroadcaster::AlignmentBroadcaster(ros::NodeHandle node, TfMode mode, double transform_tolerance)
     : mode_(mode), transform_tolerance_(transform_tolerance) {
-  if (mode_ == TfMode::kNone) {
-    return;
-  }
   tf_subscriber_ = node.subscribe<tf2_msgs::TFMessage, const TfEvent&>(
       "/tf", kTfQueue, [this](const TfEvent& event) { onTf(event, false); });
   tf_static_subscriber_ = node.subscribe<tf2_msgs::TFMessage, const TfEvent&>(
@@ -63,6 +60,12 @@ void AlignmentBroadcaster::clear() {
 bool AlignmentBroadcaster::isContested() {
   const std::lock_guard<std::mutex> lock(mutex_);
   return contested_;
+}
+
+std::vector<ros_common::ContestedFrame> AlignmentBroadcaster::contestedAmong(const std::vector<std::string>& frames,
+                                                                             const ros::Time& now) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return others_.contestedAmong(frames, now);
 }
 
 void AlignmentBroadcaster::broadcast(const ros::Time& now) {

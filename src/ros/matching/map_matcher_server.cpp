@@ -17,7 +17,8 @@ MapMatcherServer::MapMatcherServer(ros::NodeHandle node, ros::NodeHandle private
                                    const MapMatcherServerOptions& options)
     : map_match_publisher_(node.advertise<MapMatch>(ros_common::names::kMapMatch, 1, true)),
       broadcaster_(node, tfModeOf(options.tf_mode), options.transform_tolerance),
-      pose_publisher_(node, options.base_frame),
+      robot_(tf_, options.base_frame),
+      pose_publisher_(node, robot_),
       overlay_publisher_(node),
       reference_source_(node, private_node, options.match.occupied_threshold,
                         [this](const ReferenceMapPtr& reference) { onReference(reference); }),
@@ -122,9 +123,9 @@ search::MatchPrior MapMatcherServer::priorFor(const nav_msgs::OccupancyGrid& ses
     memory_frame_ = session.header.frame_id;
   }
   search::MatchPrior prior = memory_.prior();
-  if (const std::optional<grid::Rigid2> T_session_base =
-          pose_publisher_.newestPose(ros_common::frameName(session.header.frame_id))) {
-    prior.robot = T_session_base->translation();
+  const RobotPose robot = robot_.atOrShortlyBefore(session.header.frame_id, session.header.stamp);
+  if (robot.T_session_base) {
+    prior.robot = robot.T_session_base->translation();
   }
   return prior;
 }

@@ -49,8 +49,7 @@ SessionMatch ReferenceMatcher::match(const ReferenceMapPtr& reference, const nav
     match.report = toMessage(match.result);
     match.resolution = grid.resolution();
     if (match.result.matched()) {
-      match.cells = search::splitByMatch(reference->grid, grid, match.result.T_reference_session,
-                                         static_cast<std::int8_t>(options().occupied_threshold));
+      match.cells = search::splitByMatch(reference->grid, grid, match.result.T_reference_session, options());
     }
   } catch (const ros_common::MessageError& error) {
     match.report = refusal(MapMatch::INVALID_MAP, error.what());

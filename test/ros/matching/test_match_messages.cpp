@@ -129,7 +129,7 @@ TEST(MatchMessages, NameEachStatusAsTheSearchDoes) {
       {search::MatchStatus::kNotCertified, MapMatch::NOT_CERTIFIED},
       {search::MatchStatus::kAmbiguous, MapMatch::AMBIGUOUS},
       {search::MatchStatus::kUnconfirmed, MapMatch::UNCONFIRMED},
-      {search::MatchStatus::kRobotAstray, MapMatch::ROBOT_ASTRAY},
+      {search::MatchStatus::kRobotLost, MapMatch::ROBOT_LOST},
   };
   for (const auto& [status, constant] : statuses) {
     search::MatchResult result;

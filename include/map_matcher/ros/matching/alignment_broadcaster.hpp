@@ -10,6 +10,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "map_matcher/grid/rigid2.hpp"
 #include "map_matcher/ros/common/frame_parents.hpp"
@@ -51,6 +52,9 @@ class AlignmentBroadcaster {
 
   /// Whether there was nothing sent at the last broadcast(), since another node gives the child frame a parent.
   bool isContested();
+
+  /// Those of `frames` that different nodes give different parents to at present. What this node sends does not count.
+  std::vector<ros_common::ContestedFrame> contestedAmong(const std::vector<std::string>& frames, const ros::Time& now);
 
  private:
   using TfEvent = ros::MessageEvent<const tf2_msgs::TFMessage>;

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <ros/node_handle.h>
+#include <tf2_ros/buffer.h>
+#include <tf2_ros/transform_listener.h>
 
 #include <atomic>
 #include <cstdint>
@@ -22,6 +24,7 @@
 #include "map_matcher/ros/matching/overlay_publisher.hpp"
 #include "map_matcher/ros/matching/reference_matcher.hpp"
 #include "map_matcher/ros/matching/reference_source.hpp"
+#include "map_matcher/ros/matching/robot_pose_source.hpp"
 #include "map_matcher/work/latest_job_worker.hpp"
 
 namespace map_matcher::ros_matching {
@@ -71,6 +74,9 @@ class MapMatcherServer {
 
   ros::Publisher map_match_publisher_;
   AlignmentBroadcaster broadcaster_;
+  tf2_ros::Buffer tf_;
+  tf2_ros::TransformListener tf_listener_{tf_};
+  RobotPoseSource robot_;
   MatchPosePublisher pose_publisher_;
   OverlayPublisher overlay_publisher_;
   ReferenceSource reference_source_;

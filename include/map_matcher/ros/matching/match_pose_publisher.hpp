@@ -4,14 +4,11 @@
 
 #include <map_matcher/MapMatch.h>
 #include <ros/node_handle.h>
-#include <tf2_ros/buffer.h>
-#include <tf2_ros/transform_listener.h>
 
 #include <mutex>
 #include <optional>
-#include <string>
 
-#include "map_matcher/grid/rigid2.hpp"
+#include "map_matcher/ros/matching/robot_pose_source.hpp"
 
 namespace map_matcher::ros_matching {
 
@@ -23,16 +20,14 @@ class MatchPosePublisher {
   /// How long a pose waits for tf [s].
   static constexpr double kPatience = 1.0;
 
-  MatchPosePublisher(ros::NodeHandle node, const std::string& base_frame);
+  /// `robot` must outlive this.
+  MatchPosePublisher(ros::NodeHandle node, const RobotPoseSource& robot);
 
   /// Publishes the pose of this match as soon as tf allows, instead of one that still waits. Its status is MATCHED.
   void request(const MapMatch& match, const ros::Time& now);
 
   /// Forgets a pose that waits.
   void clear();
-
-  /// T_session_base by the newest transforms on tf; nothing when tf does not know it.
-  std::optional<grid::Rigid2> newestPose(const std::string& session_frame) const;
 
   /// Publishes the pose that waits if tf allows; to be called again and again.
   void publishPending(const ros::Time& now);
@@ -43,11 +38,9 @@ class MatchPosePublisher {
     ros::Time since;
   };
 
-  const std::string base_frame_;
+  const RobotPoseSource& robot_;
   std::mutex mutex_;  // guards pending_
   std::optional<Pending> pending_;
-  tf2_ros::Buffer buffer_;
-  tf2_ros::TransformListener listener_{buffer_};
   ros::Publisher publisher_;
 };
 
