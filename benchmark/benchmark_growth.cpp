@@ -22,7 +22,7 @@ namespace {
 void registerGrowth(const std::string& what, double x, const grid::OccupancyGrid& building,
                     const SimulatedSession& wanted) {
   const auto pair = std::make_shared<const MapPair>(MapPair{what, building, simulateSession(building, wanted)});
-  search::MatchOptions options;
+  search::SearchOptions options;
   options.threads = 1;
   options.exact_deadline = 60.0;
   const std::string name = "BM_Growth/" + what + "/" + std::to_string(std::lround(x));

@@ -11,8 +11,8 @@
 
 namespace {
 
-using map_matcher::scan::ScanLayout;
-using map_matcher::scrubbing::Disc;
+namespace scan = map_matcher::scan;
+namespace scrubbing = map_matcher::scrubbing;
 
 constexpr double kRangeMax = 20.0;  // [m]
 
@@ -47,7 +47,7 @@ void BM_BeamsInside(benchmark::State& state) {
   const scan::ScanLayout layout = layoutOf(beams);
   const std::vector<float> ranges = randomRanges(beams, random);
   const std::vector<scrubbing::Disc> discs = crowd(static_cast<int>(state.range(1)), random);
-  map_matcher::scrubbing::ScanScrubber scrubber;
+  scrubbing::ScanScrubber scrubber;
   for (auto _ : state) {
     benchmark::DoNotOptimize(scrubber.beamsInside(layout, ranges, discs).data());
   }

@@ -88,7 +88,7 @@ fs::path referenceOf(const fs::path& recorded) {
 using SharedPair = std::shared_ptr<const MapPair>;
 
 void registerTwoStages(const SharedPair& pair) {
-  search::MatchOptions options;
+  search::SearchOptions options;
   options.search = "two_stage";
   options.threads = 1;
   const auto match = [pair, options](benchmark::State& state) { matchPair(state, pair, options); };
@@ -97,7 +97,7 @@ void registerTwoStages(const SharedPair& pair) {
 
 void registerCertified(const SharedPair& pair) {
   for (const int threads : {1, 2}) {
-    search::MatchOptions options;
+    search::SearchOptions options;
     options.threads = threads;
     options.exact_deadline = 60.0;
     const auto match = [pair, options](benchmark::State& state) { matchPair(state, pair, options); };

@@ -64,12 +64,13 @@ inline void addStage(benchmark::State& state, const search::StageReport& stage) 
 
 /// Times the match of a pair, split by stage.
 inline void matchPair(benchmark::State& state, const std::shared_ptr<const MapPair>& pair,
-                      const search::MatchOptions& options) {
-  search::MapMatcher matcher(options);
-  matcher.setReference(pair->reference);
-  search::MatchResult result;
+                      const search::SearchOptions& options) {
+  const search::MapMatcher matcher(options);
+  const search::Reference reference(pair->reference, options);
+  reference.at(pair->session.resolution());  // building it is timed by another benchmark
+  search::SearchResult result;
   for (auto _ : state) {
-    result = matcher.match(pair->session);
+    result = matcher.match(reference, pair->session);
     for (const search::StageReport& stage : result.stages) {
       addStage(state, stage);
     }
@@ -82,7 +83,7 @@ inline void matchPair(benchmark::State& state, const std::shared_ptr<const MapPa
   state.counters["hit_ratio"] = result.hit_ratio;
   state.counters["margin"] = result.margin;
   state.counters["rotations"] = result.stages.empty() ? 0 : result.stages.front().rotations;
-  state.SetLabel(toString(result.status));
+  state.SetLabel(result.certified ? "certified" : result.found ? "found" : "nothing found");
 }
 
 }  // namespace map_matcher

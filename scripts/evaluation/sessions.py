@@ -41,7 +41,8 @@ def row_of(truth_file, run):
         turn = (pose["yaw"] - truth["yaw"] + math.pi) % (2 * math.pi) - math.pi
         return math.hypot(pose["x"] - truth["x"], pose["y"] - truth["y"]), abs(turn)
 
-    searched, refined = errors(result["searched"]), errors(result["transform"])
+    matched = result["transform"] is not None
+    searched, refined = errors(result["searched"] if matched else None), errors(result["transform"])
     return dict(zip(COLUMNS, (
         truth_file.parent.parent.name, truth_file.parent.name, result["status"], int(result["certified"]),
         result["hit_ratio"], result["margin"], int(result["runner_up"] is not None), searched[0], refined[0],

@@ -96,7 +96,7 @@ void drawCells(cv::Mat& image, const Points& cells, const View& view, const cv::
 
 void writeOverlayImage(const std::string& path, const grid::OccupancyGrid& reference,
                        const grid::OccupancyGrid& session, const std::optional<grid::Rigid2>& T_reference_session,
-                       const search::MatchOptions& options) {
+                       const search::SearchOptions& options) {
   Points matched;
   Points unmatched;
   if (T_reference_session) {

@@ -20,7 +20,7 @@ grid::Rigid2 cornerOf(const grid::GridGeometry& geometry, double cell_offset) {
 }
 
 MatchedCells splitByMatch(const grid::OccupancyGrid& reference, const grid::OccupancyGrid& session,
-                          const grid::Rigid2& T_reference_session, const MatchOptions& options) {
+                          const grid::Rigid2& T_reference_session, const SearchOptions& options) {
   // The search looks at the reference map in the cells of a coarser session map.
   std::optional<grid::OccupancyGrid> pooled;
   if (session.resolution() > reference.resolution() * (1.0 + kSameResolution)) {

@@ -23,7 +23,7 @@ int exactTopLevel(double resolution) {
   return std::clamp(static_cast<int>(std::lround(std::log2(kWidestNode / resolution))), 1, kHighest);
 }
 
-SearchReference::SearchReference(const grid::OccupancyGrid& reference, double resolution, const MatchOptions& options,
+SearchReference::SearchReference(const grid::OccupancyGrid& reference, double resolution, const SearchOptions& options,
                                  const work::Deadline& deadline)
     : fine_resolution_(resolution), coarse_resolution_(nearestHalving(resolution, options.coarse_resolution)) {
   const double offset = -options.reference_map_cell_offset * reference.resolution();

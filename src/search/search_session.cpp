@@ -7,7 +7,7 @@
 
 namespace map_matcher::search {
 
-SearchSession searchSession(const grid::OccupancyGrid& session, double resolution, const MatchOptions& options) {
+SearchSession searchSession(const grid::OccupancyGrid& session, double resolution, const SearchOptions& options) {
   const double offset = -options.session_map_cell_offset * session.resolution();
   SearchSession result;
   result.cells = grid::occupiedCells(session, static_cast<std::int8_t>(options.occupied_threshold));

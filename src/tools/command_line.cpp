@@ -165,7 +165,7 @@ std::string Option::take(const std::vector<std::string>& values) {
   if (times_given_ > 1 && (!isList(target_) || count_)) {
     return name_ + " is given " + std::to_string(times_given_) + " times, expected once";
   }
-  const std::string problem = problemWith(values);
+  std::string problem = problemWith(values);
   if (!problem.empty()) {
     return problem;
   }

@@ -24,17 +24,23 @@
 
 namespace {
 
-using map_matcher::grid::OccupancyGrid;
-using map_matcher::trials::SessionMatching;
-using map_matcher::trials::Trial;
-using map_matcher::trials::TrialOptions;
-using map_matcher::trials::TrialQuery;
+namespace evaluation = map_matcher::evaluation;
+namespace files = map_matcher::files;
+namespace grid = map_matcher::grid;
+namespace localization = map_matcher::localization;
+namespace parameters = map_matcher::parameters;
+namespace ros_mapping = map_matcher::ros_mapping;
+namespace ros_matching = map_matcher::ros_matching;
+namespace ros_scrubbing = map_matcher::ros_scrubbing;
+namespace ros_trials = map_matcher::ros_trials;
+namespace simulation = map_matcher::simulation;
+namespace trials = map_matcher::trials;
 
 struct Arguments {
   Arguments(int argc, char** argv) : drive(argc, argv) {}
 
   map_matcher::tools::DriveArguments drive;
-  map_matcher::ros_trials::BagTrialRequest recorded;
+  ros_trials::BagTrialRequest recorded;
   std::string session_maps;
   std::string reference;
   std::string config;
@@ -53,18 +59,18 @@ struct Arguments {
 trials::TrialOptions readOptions(const Arguments& arguments) {
   trials::TrialOptions options = arguments.trial;
   if (!arguments.config.empty()) {
-    map_matcher::ros_matching::MapMatcherServerOptions matcher;
+    ros_matching::MapMatcherServerOptions matcher;
     parameters::loadYamlParameters(arguments.config, parametersOf(matcher));
     options.match = matcher.match;
   }
   if (!arguments.mapper_config.empty()) {
-    map_matcher::ros_mapping::SessionMapperServerOptions mapper;
+    ros_mapping::SessionMapperServerOptions mapper;
     parameters::loadYamlParameters(arguments.mapper_config, parametersOf(mapper));
     options.mapper = mapper.mapping.mapper;
     options.map_update_interval = mapper.mapping.map_update_interval;
   }
   if (!arguments.scrubber_config.empty()) {
-    map_matcher::ros_scrubbing::LidarScrubberServerOptions scrubber;
+    ros_scrubbing::LidarScrubberServerOptions scrubber;
     parameters::loadYamlParameters(arguments.scrubber_config, parametersOf(scrubber));
     options.scrubbing = scrubber.scrubbing;
     options.detection_wait = scrubber.mode == "synchronised" ? scrubber.sync_timeout : 0.0;
@@ -72,8 +78,8 @@ trials::TrialOptions readOptions(const Arguments& arguments) {
   return options;
 }
 
-map_matcher::localization::MonteCarloOptions monteCarloOptions(const Arguments& arguments) {
-  map_matcher::localization::MonteCarloOptions options;
+localization::MonteCarloOptions monteCarloOptions(const Arguments& arguments) {
+  localization::MonteCarloOptions options;
   if (!arguments.monte_carlo_config.empty()) {
     parameters::loadYamlParameters(arguments.monte_carlo_config, parametersOf(options));
   }
@@ -86,7 +92,7 @@ bool isRecorded(const Arguments& arguments) { return !arguments.recorded.bag.emp
 void warn(const std::string& text) { std::cerr << "evaluate_drive: warning: " << text << '\n'; }
 
 void simulate(const grid::OccupancyGrid& map, const Arguments& arguments, trials::Trial& trial) {
-  map_matcher::simulation::DriveSimulation simulation(map, arguments.drive.options());
+  simulation::DriveSimulation simulation(map, arguments.drive.options());
   while (const auto step = simulation.next()) {
     for (const auto& detections : trials::trialDetectionsOf(*step)) {
       trial.add(detections);
@@ -101,9 +107,9 @@ void printSummary(const std::vector<trials::TrialQuery>& queries) {
   std::optional<trials::TrialQuery> first;
   for (const trials::TrialQuery& query : queries) {
     const auto error = query.robotError();
-    matched += query.result.matched() ? 1 : 0;
+    matched += query.answer.matched() ? 1 : 0;
     right += error && error->translation < 1.0 ? 1 : 0;
-    if (query.result.matched() && !first) {
+    if (query.answer.matched() && !first) {
       first = query;
     }
   }
@@ -120,20 +126,19 @@ grid::OccupancyGrid placed(const grid::OccupancyGrid& session, const trials::Tri
   if (!query.true_alignment) {
     throw std::invalid_argument("--place-session is given, but the drive has no true poses");
   }
-  map_matcher::grid::GridGeometry geometry = session.geometry();
+  grid::GridGeometry geometry = session.geometry();
   geometry.T_map_grid = *query.true_alignment * geometry.T_map_grid;
   return {geometry, session.values()};
 }
 
 bool hasPeople(const Arguments& arguments) {
-  const map_matcher::simulation::PedestrianOptions people = arguments.drive.options().pedestrians;
+  const simulation::PedestrianOptions people = arguments.drive.options().pedestrians;
   return people.people != 0 || people.density != 0.0;
 }
 
 /// The people who are to be put into the scans of a recorded drive; null for nobody.
-std::unique_ptr<map_matcher::simulation::InsertedCrowd> crowdFor(const Arguments& arguments,
-                                                                 const grid::OccupancyGrid& map) {
-  const map_matcher::simulation::DriveOptions drive = arguments.drive.options();
+std::unique_ptr<simulation::InsertedCrowd> crowdFor(const Arguments& arguments, const grid::OccupancyGrid& map) {
+  const simulation::DriveOptions drive = arguments.drive.options();
   if (!hasPeople(arguments)) {
     return nullptr;
   }
@@ -142,9 +147,9 @@ std::unique_ptr<map_matcher::simulation::InsertedCrowd> crowdFor(const Arguments
         "--people or --density is given with --bag but without --truth, expected the topic of the robot's true poses, "
         "among which people are to walk");
   }
-  return std::make_unique<map_matcher::simulation::InsertedCrowd>(
-      map, map_matcher::simulation::InsertedCrowdOptions{drive.seed, drive.pedestrians, drive.detector,
-                                                         drive.robot.radius, drive.lidar.sigma});
+  return std::make_unique<simulation::InsertedCrowd>(
+      map, simulation::InsertedCrowdOptions{drive.seed, drive.pedestrians, drive.detector, drive.robot.radius,
+                                            drive.lidar.sigma});
 }
 
 void playRecorded(const Arguments& arguments, const grid::OccupancyGrid& map, trials::Trial& trial) {
@@ -153,8 +158,8 @@ void playRecorded(const Arguments& arguments, const grid::OccupancyGrid& map, tr
         "mode is synchronised, but scans do not wait for recorded detections, which apply to later scans as with "
         "cached");
   }
-  const std::unique_ptr<map_matcher::simulation::InsertedCrowd> crowd = crowdFor(arguments, map);
-  const map_matcher::ros_trials::BagTrialResult played = ros_trials::playBag(arguments.recorded, trial, crowd.get());
+  const std::unique_ptr<simulation::InsertedCrowd> crowd = crowdFor(arguments, map);
+  const ros_trials::BagTrialResult played = ros_trials::playBag(arguments.recorded, trial, crowd.get());
   if (played.scans_left_out > 0 || played.detections_left_out > 0) {
     warn(std::to_string(played.scans_left_out) + " of " + std::to_string(played.scans) + " scans and " +
          std::to_string(played.detections_left_out) + " messages of detections left out: " + played.last_problem);
@@ -168,15 +173,15 @@ void playRecorded(const Arguments& arguments, const grid::OccupancyGrid& map, tr
 /// Takes the drive through the trial, and what is compared with it.
 void play(const Arguments& arguments, const grid::OccupancyGrid& map, const grid::OccupancyGrid& reference,
           trials::Trial& trial) {
-  std::optional<map_matcher::trials::MonteCarloTrial> monte_carlo;
+  std::optional<trials::MonteCarloTrial> monte_carlo;
   if (!arguments.monte_carlo.empty()) {
     monte_carlo.emplace(reference, monteCarloOptions(arguments));
   }
-  std::optional<map_matcher::trials::TruthFit> fit;
+  std::optional<trials::TruthFit> fit;
   if (isRecorded(arguments) && !hasPeople(arguments)) {  // simulated people are no walls, and simulated truth is true
     fit.emplace(reference);
   }
-  trial.onMoment([&](const map_matcher::trials::TrialMoment& moment) {
+  trial.onMoment([&](const trials::TrialMoment& moment) {
     if (fit) {
       fit->add(moment);
     }
@@ -193,14 +198,14 @@ void play(const Arguments& arguments, const grid::OccupancyGrid& map, const grid
     warn(*problem);
   }
   if (monte_carlo) {
-    map_matcher::files::writeFile(arguments.monte_carlo, trials::toCsv(monte_carlo->rows()));
+    files::writeFile(arguments.monte_carlo, trials::toCsv(monte_carlo->rows()));
   }
 }
 
 /// Matches the session maps that a mapper drew while the bag was recorded.
 void matchRecorded(const Arguments& arguments, trials::SessionMatching& matching) {
-  const map_matcher::ros_trials::BagTrialRequest& recorded = arguments.recorded;
-  const map_matcher::ros_trials::BagSessionMapsResult result =
+  const ros_trials::BagTrialRequest& recorded = arguments.recorded;
+  const ros_trials::BagSessionMapsResult result =
       ros_trials::matchSessionMaps({recorded.bag, arguments.session_maps, recorded.truth_topic, recorded.truth_frame,
                                     recorded.odom_frame, recorded.base_frame},
                                    matching);
@@ -215,15 +220,15 @@ void drawFirstMatch(const Arguments& arguments, const grid::OccupancyGrid& refer
   if (arguments.first_overlay.empty()) {
     return;
   }
-  matching.onFirstMatch([&](const grid::OccupancyGrid& session, const map_matcher::grid::Rigid2& T_reference_session) {
-    map_matcher::evaluation::writeOverlayImage(arguments.first_overlay, reference, session, T_reference_session);
+  matching.onFirstMatch([&](const grid::OccupancyGrid& session, const grid::Rigid2& T_reference_session) {
+    evaluation::writeOverlayImage(arguments.first_overlay, reference, session, T_reference_session);
   });
 }
 
 /// `session`: the session map at the end of the drive.
 void writeResults(const Arguments& arguments, const grid::OccupancyGrid& reference,
                   const trials::SessionMatching& matching, const std::optional<grid::OccupancyGrid>& session) {
-  map_matcher::files::writeFile(arguments.output, trials::toCsv(matching.queries()));
+  files::writeFile(arguments.output, trials::toCsv(matching.queries()));
   printSummary(matching.queries());
   if (matching.queries().empty()) {
     return;
@@ -233,8 +238,7 @@ void writeResults(const Arguments& arguments, const grid::OccupancyGrid& referen
     grid::saveMap(arguments.place_session ? placed(*session, last) : *session, arguments.session);
   }
   if (!arguments.last_overlay.empty()) {
-    map_matcher::evaluation::writeOverlayImage(arguments.last_overlay, reference, *matching.lastMap(),
-                                               last.alignment());
+    evaluation::writeOverlayImage(arguments.last_overlay, reference, *matching.lastMap(), last.alignment());
   }
 }
 
@@ -260,10 +264,8 @@ void evaluate(const Arguments& arguments) {
   if (isRecorded(arguments) && arguments.reference.empty()) {
     throw std::invalid_argument("--bag is given without --reference, expected the YAML file of its map");
   }
-  const grid::OccupancyGrid map =
-      isRecorded(arguments) ? map_matcher::grid::loadMap(arguments.reference) : arguments.drive.map();
-  const grid::OccupancyGrid reference =
-      arguments.reference.empty() ? map : map_matcher::grid::loadMap(arguments.reference);
+  const grid::OccupancyGrid map = isRecorded(arguments) ? grid::loadMap(arguments.reference) : arguments.drive.map();
+  const grid::OccupancyGrid reference = arguments.reference.empty() ? map : grid::loadMap(arguments.reference);
   const trials::TrialOptions options = readOptions(arguments);
   if (!arguments.session_maps.empty()) {
     if (hasPeople(arguments)) {
@@ -283,7 +285,7 @@ void evaluate(const Arguments& arguments) {
 
 void describeRecorded(map_matcher::tools::CommandLine& command_line, Arguments& arguments,
                       const std::vector<const map_matcher::tools::Option*>& for_scans) {
-  map_matcher::ros_trials::BagTrialRequest& recorded = arguments.recorded;
+  ros_trials::BagTrialRequest& recorded = arguments.recorded;
   const auto& bag = command_line.add("--bag", &recorded.bag, "recorded drive to use instead of a simulated one");
   const auto& scan =
       command_line.add("--scan", &recorded.scan_topic, "its topic of scans; default: the only one").needs(bag);

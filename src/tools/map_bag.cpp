@@ -18,9 +18,12 @@
 
 namespace {
 
-using map_matcher::ros_mapping::SessionSnapshot;
-using map_matcher::ros_trials::BagMappingRequest;
-using map_matcher::ros_trials::BagMappingResult;
+namespace evaluation = map_matcher::evaluation;
+namespace files = map_matcher::files;
+namespace grid = map_matcher::grid;
+namespace parameters = map_matcher::parameters;
+namespace ros_mapping = map_matcher::ros_mapping;
+namespace ros_trials = map_matcher::ros_trials;
 
 struct Arguments {
   ros_trials::BagMappingRequest request;
@@ -30,21 +33,21 @@ struct Arguments {
 };
 
 /// Options from the configuration file; throws std::invalid_argument with every problem in it.
-map_matcher::ros_mapping::SessionMappingOptions readOptions(const std::string& config) {
-  map_matcher::ros_mapping::SessionMapperServerOptions options;
+ros_mapping::SessionMappingOptions readOptions(const std::string& config) {
+  ros_mapping::SessionMapperServerOptions options;
   if (!config.empty()) {
     parameters::loadYamlParameters(config, parametersOf(options));
   }
   return options.mapping;
 }
 
-void writeTrajectory(const std::string& path, const std::vector<map_matcher::evaluation::StampedPose>& trajectory) {
+void writeTrajectory(const std::string& path, const std::vector<evaluation::StampedPose>& trajectory) {
   std::ostringstream table;
   table << "time,x,y,yaw\n" << std::setprecision(15);
   for (const auto& [time, pose] : trajectory) {
     table << time << ',' << pose.x << ',' << pose.y << ',' << pose.yaw << '\n';
   }
-  map_matcher::files::writeFile(path, table.str());
+  files::writeFile(path, table.str());
 }
 
 void printSummary(const ros_trials::BagMappingResult& result, const ros_mapping::SessionSnapshot& last,
@@ -71,7 +74,7 @@ void drawBag(Arguments& arguments) {
   std::optional<ros_mapping::SessionSnapshot> last;
   const ros_trials::BagMappingResult result =
       ros_trials::mapBag(arguments.request, [&last](const ros_mapping::SessionSnapshot& snapshot) { last = snapshot; });
-  map_matcher::grid::saveMap(last->map, arguments.output);
+  grid::saveMap(last->map, arguments.output);
   if (!arguments.trajectory.empty()) {
     writeTrajectory(arguments.trajectory, result.path);
   }

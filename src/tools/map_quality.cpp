@@ -9,15 +9,16 @@
 
 #include "command_line.hpp"
 #include "file_roles.hpp"
+#include "map_matcher/belief/single_match.hpp"
 #include "map_matcher/evaluation/overlay_image.hpp"
 #include "map_matcher/grid/map_file.hpp"
-#include "map_matcher/search/map_matcher.hpp"
 
 namespace {
 
-using map_matcher::evaluation::MapQuality;
-using map_matcher::grid::OccupancyGrid;
-using map_matcher::grid::Rigid2;
+namespace belief = map_matcher::belief;
+namespace evaluation = map_matcher::evaluation;
+namespace grid = map_matcher::grid;
+namespace search = map_matcher::search;
 
 constexpr int kNoMatch = 1;  // exit status
 
@@ -30,14 +31,13 @@ struct Arguments {
 };
 
 std::optional<grid::Rigid2> matchedPose(const grid::OccupancyGrid& truth, const grid::OccupancyGrid& session) {
-  map_matcher::search::MapMatcher matcher;
-  matcher.setReference(truth);
-  const map_matcher::search::MatchResult result = matcher.match(session);
-  if (!result.matched()) {
-    std::cout << toString(result.status) << ": " << result.reason << '\n';
-    return std::nullopt;
+  const belief::MatchOptions options;
+  const search::Reference reference(truth, options.search);
+  const belief::Answer answer = matchAlone(reference, session, options);
+  if (!answer.matched()) {
+    std::cout << toString(answer.status) << ": " << answer.reason << '\n';
   }
-  return result.T_reference_session;
+  return answer.alignment();
 }
 
 void print(const evaluation::MapQuality& quality, const grid::Rigid2& T_true_session, double tolerance) {
@@ -60,8 +60,8 @@ int compare(const Arguments& arguments) {
       .readsMap("--session", arguments.session)
       .writes("--overlay", arguments.overlay)
       .requireDistinct();
-  const grid::OccupancyGrid truth = map_matcher::grid::loadMap(arguments.truth);
-  const grid::OccupancyGrid session = map_matcher::grid::loadMap(arguments.session);
+  const grid::OccupancyGrid truth = grid::loadMap(arguments.truth);
+  const grid::OccupancyGrid session = grid::loadMap(arguments.session);
   std::optional<grid::Rigid2> pose;
   if (arguments.pose.empty()) {
     pose = matchedPose(truth, session);
@@ -73,7 +73,7 @@ int compare(const Arguments& arguments) {
   }
   print(evaluation::mapQuality(truth, session, *pose, arguments.tolerance), *pose, arguments.tolerance);
   if (!arguments.overlay.empty()) {
-    map_matcher::evaluation::writeOverlayImage(arguments.overlay, truth, session, pose);
+    evaluation::writeOverlayImage(arguments.overlay, truth, session, pose);
   }
   return map_matcher::tools::kDone;
 }

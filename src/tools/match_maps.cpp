@@ -2,25 +2,30 @@
 
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
+#include <type_traits>
+#include <variant>
+#include <vector>
 
 #include "command_line.hpp"
 #include "file_roles.hpp"
+#include "map_matcher/belief/answer_fields.hpp"
+#include "map_matcher/belief/single_match.hpp"
 #include "map_matcher/evaluation/overlay_image.hpp"
 #include "map_matcher/files/output_file.hpp"
 #include "map_matcher/grid/map_file.hpp"
 #include "map_matcher/parameters/yaml_parameters.hpp"
 #include "map_matcher/ros/matching/map_matcher_server_options.hpp"
-#include "map_matcher/search/map_matcher.hpp"
 
 namespace {
 
-using map_matcher::grid::OccupancyGrid;
-using map_matcher::grid::Rigid2;
-using map_matcher::search::MatchOptions;
-using map_matcher::search::MatchResult;
-using map_matcher::search::StageReport;
+namespace belief = map_matcher::belief;
+namespace evaluation = map_matcher::evaluation;
+namespace files = map_matcher::files;
+namespace grid = map_matcher::grid;
+namespace parameters = map_matcher::parameters;
+namespace ros_matching = map_matcher::ros_matching;
+namespace search = map_matcher::search;
 
 constexpr int kNoMatch = 1;  // exit status
 
@@ -33,102 +38,80 @@ struct Arguments {
   std::string overlay;
 };
 
-nlohmann::json toJson(const search::StageReport& stage) {
-  return {{"name", stage.name},
-          {"answered", stage.answered},
-          {"resolution", stage.resolution},
-          {"rotations", stage.rotations},
-          {"rotation_step", stage.rotation_step},
-          {"matched_cells", stage.matched_cells},
-          {"total_cells", stage.total_cells},
-          {"ratio", stage.ratio},
-          {"nodes_scored", stage.nodes_scored},
-          {"nodes_expanded", stage.nodes_expanded},
-          {"initialization_time", stage.initialization_time},
-          {"rotation_expansion_time", stage.rotation_expansion_time},
-          {"depth_first_search_time", stage.depth_first_search_time}};
-}
+nlohmann::json toJson(const grid::Rigid2& pose) { return {{"x", pose.x}, {"y", pose.y}, {"yaw", pose.yaw}}; }
 
-nlohmann::json toJson(const search::MatchResult& result) {
-  nlohmann::json json{{"status", toString(result.status)}, {"reason", result.reason}};
-  json["transform"] = nullptr;
-  if (result.matched()) {
-    const grid::Rigid2& T = result.T_reference_session;
-    json["transform"] = {{"x", T.x}, {"y", T.y}, {"yaw", T.yaw}};
-  }
-  json["searched"] = nullptr;
-  if (result.searched) {
-    json["searched"] = {{"x", result.searched->x}, {"y", result.searched->y}, {"yaw", result.searched->yaw}};
-  }
-  json["refined"] = result.refined;
-  json["ratio"] = result.ratio;
-  json["matched_cells"] = result.matched_cells;
-  json["total_cells"] = result.total_cells;
-  json["certified"] = result.certified;
-  json["replaced"] = result.replaced;
-  json["hit_ratio"] = result.hit_ratio;
-  json["hit_cells"] = result.hit_cells;
-  json["upper_bound"] = result.upper_bound;
-  json["candidate"] = nullptr;
-  if (result.matched() || result.hit_cells > 0) {
-    const grid::Rigid2& T = result.T_reference_session;
-    const double ratio = result.hit_cells > 0 ? result.hit_ratio : result.ratio;
-    json["candidate"] = {{"x", T.x}, {"y", T.y}, {"yaw", T.yaw}, {"ratio", ratio}};
-  }
-  json["runner_up"] = nullptr;
-  if (result.runner_up) {
-    const grid::Rigid2& T = result.runner_up->T_reference_session;
-    json["runner_up"] = {{"x", T.x}, {"y", T.y}, {"yaw", T.yaw}, {"ratio", result.runner_up->ratio}};
-  }
-  json["margin"] = result.margin;
-  json["search_time"] = result.search_time;
-  json["reference_time"] = result.reference_time;
-  json["stages"] = nlohmann::json::array();
-  for (const search::StageReport& stage : result.stages) {
-    json["stages"].push_back(toJson(stage));
+nlohmann::json toJson(const belief::FieldList& fields) {
+  nlohmann::json json;
+  for (const belief::Field& field : fields) {
+    json[field.name] = std::visit(
+        [](const auto& value) -> nlohmann::json {
+          using Value = std::decay_t<decltype(value)>;
+          if constexpr (std::is_same_v<Value, std::monostate>) {
+            return nullptr;
+          } else if constexpr (std::is_same_v<Value, grid::Rigid2>) {
+            return toJson(value);
+          } else {
+            return value;
+          }
+        },
+        field.value);
   }
   return json;
 }
 
-void writeJson(const std::string& path, const search::MatchResult& result) {
-  const std::string text = toJson(result).dump(2) + '\n';
+template <typename Item>
+nlohmann::json toJson(const std::vector<Item>& items) {
+  nlohmann::json json = nlohmann::json::array();
+  for (const Item& item : items) {
+    json.push_back(toJson(belief::fieldsOf(item)));
+  }
+  return json;
+}
+
+nlohmann::json toJson(const belief::Answer& answer) {
+  nlohmann::json json = toJson(fieldsOf(answer));
+  json["evidence"] = toJson(answer.evidence);
+  json["stages"] = toJson(answer.search.stages);
+  return json;
+}
+
+void writeJson(const std::string& path, const belief::Answer& answer) {
+  const std::string text = toJson(answer).dump(2) + '\n';
   if (path == "-") {
     std::cout << text;
   } else {
-    map_matcher::files::writeFile(path, text);
+    files::writeFile(path, text);
   }
 }
 
-void printSummary(const search::MatchResult& result) {
-  std::cout << toString(result.status) << ": " << result.reason << '\n';
-  if (result.matched()) {
-    const grid::Rigid2& T = result.T_reference_session;
+void printSummary(const belief::Answer& answer) {
+  const search::SearchResult& search = answer.search;
+  std::cout << toString(answer.status) << ": " << answer.reason << '\n';
+  if (answer.matched()) {
+    const grid::Rigid2& T = search.T_reference_session;
     std::cout << "T_reference_session: x " << T.x << " m, y " << T.y << " m, yaw " << T.yaw << " rad\n"
-              << "ratio " << result.ratio << " (" << result.matched_cells << " of " << result.total_cells
+              << "ratio " << search.ratio << " (" << search.matched_cells << " of " << search.total_cells
               << " session cells)\n";
   }
-  if (result.total_cells > 0 && result.hit_cells > 0) {
-    std::cout << "hit ratio " << result.hit_ratio << ", " << (result.certified ? "certified" : "not certified")
-              << ", upper bound " << result.upper_bound << ", margin "
-              << (result.runner_up && result.runner_up_proven ? "" : "at least ") << result.margin << '\n';
+  for (const belief::Evidence& piece : answer.evidence) {
+    std::cout << piece.name << " " << piece.value << " (limit " << piece.limit << "): " << toString(piece.bearing)
+              << '\n';
   }
-  for (const search::StageReport& stage : result.stages) {
+  for (const search::StageReport& stage : search.stages) {
     std::cout << stage.name << " stage: " << stage.resolution << " m, " << stage.rotations << " rotations, ratio "
-              << stage.ratio << ", " << stage.nodes_scored << " nodes scored, "
-              << 1e3 * (stage.initialization_time + stage.rotation_expansion_time + stage.depth_first_search_time)
-              << " ms\n";
+              << stage.ratio << ", " << stage.nodes_scored << " nodes scored, " << 1e3 * stage.time() << " ms\n";
   }
-  std::cout << "search " << 1e3 * result.search_time << " ms, reference " << 1e3 * result.reference_time << " ms\n";
+  std::cout << "search " << 1e3 * search.search_time << " ms, reference " << 1e3 * search.reference_time << " ms\n";
 }
 
 /// Options from the configuration file, which is the node's, and from the command line.
-search::MatchOptions readOptions(const Arguments& arguments) {
-  map_matcher::ros_matching::MapMatcherServerOptions options;
+belief::MatchOptions readOptions(const Arguments& arguments) {
+  ros_matching::MapMatcherServerOptions options;
   if (!arguments.config.empty()) {
     parameters::loadYamlParameters(arguments.config, parametersOf(options));
   }
   if (!arguments.search.empty()) {
-    options.match.search = arguments.search;
+    options.match.search.search = arguments.search;
   }
   return options.match;
 }
@@ -141,23 +124,20 @@ int matchMaps(const Arguments& arguments) {
       .writes("--json", arguments.json)
       .writes("--overlay", arguments.overlay)
       .requireDistinct();
-  const search::MatchOptions options = readOptions(arguments);
-  map_matcher::search::MapMatcher matcher(options);
-  const grid::OccupancyGrid reference = map_matcher::grid::loadMap(arguments.reference);
-  const grid::OccupancyGrid session = map_matcher::grid::loadMap(arguments.session);
-  matcher.setReference(reference);
-  const search::MatchResult result = matcher.match(session);
+  const belief::MatchOptions options = readOptions(arguments);
+  const search::Reference reference(grid::loadMap(arguments.reference), options.search);
+  const grid::OccupancyGrid session = grid::loadMap(arguments.session);
+  const belief::Answer answer = matchAlone(reference, session, options);
   if (arguments.json != "-") {
-    printSummary(result);
+    printSummary(answer);
   }
   if (!arguments.json.empty()) {
-    writeJson(arguments.json, result);
+    writeJson(arguments.json, answer);
   }
   if (!arguments.overlay.empty()) {
-    const auto pose = result.matched() ? std::optional<grid::Rigid2>(result.T_reference_session) : std::nullopt;
-    map_matcher::evaluation::writeOverlayImage(arguments.overlay, reference, session, pose, options);
+    evaluation::writeOverlayImage(arguments.overlay, reference.grid(), session, answer.alignment(), options.search);
   }
-  return result.matched() ? map_matcher::tools::kDone : kNoMatch;
+  return answer.matched() ? map_matcher::tools::kDone : kNoMatch;
 }
 
 void describe(map_matcher::tools::CommandLine& command_line, Arguments& arguments) {

@@ -14,8 +14,10 @@
 
 namespace {
 
-using map_matcher::ros_bags::BagScrubbingRequest;
-using map_matcher::ros_bags::BagScrubbingResult;
+namespace parameters = map_matcher::parameters;
+namespace ros_bags = map_matcher::ros_bags;
+namespace ros_scrubbing = map_matcher::ros_scrubbing;
+namespace scrubbing = map_matcher::scrubbing;
 
 struct Arguments {
   ros_bags::BagScrubbingRequest request;
@@ -38,15 +40,14 @@ void printSummary(const ros_bags::BagScrubbingRequest& request, const ros_bags::
             << " dropped, " << result.scans_timed_out << " waited in vain\n"
             << "detections used        " << result.detections << '\n'
             << "placed                 ";
-  for (const map_matcher::scrubbing::PosePath path :
-       {map_matcher::scrubbing::PosePath::kFixedFrame, map_matcher::scrubbing::PosePath::kNewest,
-        map_matcher::scrubbing::PosePath::kSensorFrame, map_matcher::scrubbing::PosePath::kNone}) {
-    std::cout << (path == map_matcher::scrubbing::PosePath::kFixedFrame ? "" : ", ")
-              << result.paths[static_cast<std::size_t>(path)] << ' ' << toString(path);
+  for (const scrubbing::PosePath path : {scrubbing::PosePath::kFixedFrame, scrubbing::PosePath::kNewest,
+                                         scrubbing::PosePath::kSensorFrame, scrubbing::PosePath::kNone}) {
+    std::cout << (path == scrubbing::PosePath::kFixedFrame ? "" : ", ") << result.paths[static_cast<std::size_t>(path)]
+              << ' ' << toString(path);
   }
   std::cout << "\npoints removed         " << share(result.removed, result.points) << '\n';
   if (!request.people_topic.empty()) {
-    const map_matcher::ros_bags::PeopleCount& people = result.people;
+    const ros_bags::PeopleCount& people = result.people;
     std::cout << "scans with people      " << people.scans << ", " << people.people << " people\n"
               << "points near them left  " << share(people.near_left, people.near) << '\n'
               << "other points lost      " << share(people.others_lost, people.others) << '\n';
@@ -65,7 +66,7 @@ void scrub(Arguments& arguments) {
       .reads("--config", arguments.config)
       .writes("--output", arguments.request.output)
       .requireDistinct();
-  map_matcher::ros_scrubbing::LidarScrubberServerOptions& options = arguments.request.options;
+  ros_scrubbing::LidarScrubberServerOptions& options = arguments.request.options;
   if (!arguments.config.empty()) {
     parameters::loadYamlParameters(arguments.config, parametersOf(options));
   }
@@ -75,7 +76,7 @@ void scrub(Arguments& arguments) {
   if (!arguments.mode.empty()) {
     options.mode = arguments.mode;
   }
-  map_matcher::parameters::throwIfAny(parameters::problemsOf(parametersOf(options)));
+  parameters::throwIfAny(parameters::problemsOf(parametersOf(options)));
   printSummary(arguments.request, ros_bags::scrubBag(arguments.request));
 }
 

@@ -12,9 +12,9 @@
 
 namespace {
 
-using map_matcher::simulation::DriveOptions;
-using map_matcher::simulation::DriveSimulation;
-using map_matcher::simulation::DriveStep;
+namespace grid = map_matcher::grid;
+namespace ros_simulation = map_matcher::ros_simulation;
+namespace simulation = map_matcher::simulation;
 
 struct Arguments {
   map_matcher::tools::DriveArguments drive;
@@ -50,7 +50,7 @@ class Summary {
   std::size_t num_steps_ = 0;
   std::size_t num_people_ = 0;
   double length_ = 0.0;  // [m]
-  map_matcher::grid::Rigid2 start_;
+  grid::Rigid2 start_;
   simulation::DriveStep last_;
 };
 
@@ -60,10 +60,9 @@ void simulate(const Arguments& arguments) {
   files.writes("--bag", arguments.bag).requireDistinct();
   const simulation::DriveOptions options = arguments.drive.options();
   simulation::DriveSimulation simulation(arguments.drive.map(), options);
-  map_matcher::ros_simulation::DriveMessageOptions bag_options;
+  ros_simulation::DriveMessageOptions bag_options;
   bag_options.score_threshold = options.detector.score_threshold;
-  map_matcher::ros_simulation::DriveBagWriter bag(arguments.bag, {simulation.lidarPoses(), 1.0 / options.rate},
-                                                  bag_options);
+  ros_simulation::DriveBagWriter bag(arguments.bag, {simulation.lidarPoses(), 1.0 / options.rate}, bag_options);
   Summary summary;
   while (const auto step = simulation.next()) {
     bag.write(*step);

@@ -3,33 +3,34 @@
 #include <cstdint>
 
 #include "map_matcher/evaluation/map_quality.hpp"
+#include "map_matcher/parameters/option_check.hpp"
 
 namespace map_matcher::trials {
 namespace {
 
 constexpr double kWallTolerance = 0.15;  // [m] from a wall: not falsely occupied
 
-}  // namespace
-
-SessionMatching::SessionMatching(const grid::OccupancyGrid& reference, const search::MatchOptions& options)
-    : reference_(reference), matcher_(options) {
-  matcher_.setReference(reference);
+belief::MatchOptions checked(belief::MatchOptions options) {
+  parameters::throwIfAny(parameters::problemsOf(parametersOf(options)));
+  return options;
 }
 
+}  // namespace
+
+SessionMatching::SessionMatching(const grid::OccupancyGrid& reference, const belief::MatchOptions& options)
+    : reference_(reference, checked(options).search), matcher_(options.search), tracker_(options) {}
+
 void SessionMatching::match(grid::OccupancyGrid map, TrialQuery query) {
-  search::MatchPrior prior = memory_.prior();
-  prior.robot = query.T_session_base.translation();
-  query.result = matcher_.match(map, prior);
-  memory_.add(query.result);
-  if (query.result.matched()) {
-    const grid::Rigid2& T_reference_session = query.result.T_reference_session;
+  const search::SearchResult result = matcher_.match(reference_, map, demandOf(tracker_.options()));
+  query.answer = tracker_.conclude(result, reference_, map, query.T_session_base.translation()).answer;
+  if (const std::optional<grid::Rigid2> T_reference_session = query.alignment()) {
     const evaluation::MapQuality quality =
-        evaluation::mapQuality(reference_, map, T_reference_session, kWallTolerance,
+        evaluation::mapQuality(reference_.grid(), map, *T_reference_session, kWallTolerance,
                                static_cast<std::int8_t>(matcher_.options().occupied_threshold));
     query.falsely_occupied = quality.falsely_occupied;
     query.occupied = quality.occupied;
     if (on_first_match_) {
-      std::exchange(on_first_match_, nullptr)(map, T_reference_session);
+      std::exchange(on_first_match_, nullptr)(map, *T_reference_session);
     }
   }
   queries_.push_back(std::move(query));

@@ -2,18 +2,11 @@
 
 namespace map_matcher::trials {
 
-std::optional<grid::Rigid2> TrialQuery::alignment() const {
-  if (!result.matched()) {
-    return std::nullopt;
-  }
-  return result.T_reference_session;
-}
+std::optional<grid::Rigid2> TrialQuery::alignment() const { return answer.alignment(); }
 
 std::optional<grid::Rigid2> TrialQuery::estimate() const {
-  if (!result.matched()) {
-    return std::nullopt;
-  }
-  return result.T_reference_session * T_session_base;
+  const std::optional<grid::Rigid2> T_reference_session = alignment();
+  return T_reference_session ? std::optional<grid::Rigid2>(*T_reference_session * T_session_base) : std::nullopt;
 }
 
 std::optional<evaluation::PoseError> TrialQuery::robotError() const {

@@ -27,7 +27,7 @@ const std::map<std::string, Names> kRooms = {
     {"grid", {"files", "parameters"}},
     {"scan", {"grid"}},
     {"search", {"grid", "parameters", "work"}},
-    {"belief", {"grid", "parameters", "search"}},
+    {"belief", {"grid", "parameters", "search", "work"}},
     {"scrubbing", {"grid", "parameters", "scan"}},
     {"mapping", {"grid", "parameters", "scan"}},
     {"localization", {"grid", "parameters", "scan"}},

@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "map_matcher/parameters/yaml_parameters.hpp"
-#include "map_matcher/search/match_options.hpp"
+#include "map_matcher/search/search_options.hpp"
 #include "support/temporary_dir.hpp"
 
 namespace map_matcher::parameters {
@@ -25,7 +25,7 @@ class YamlParameters : public testing::Test {
   }
 
   test::TemporaryDir dir_;
-  search::MatchOptions options_;
+  search::SearchOptions options_;
 };
 
 TEST_F(YamlParameters, FillTheFieldsTheyNameAndLeaveTheOthers) {
@@ -33,7 +33,7 @@ TEST_F(YamlParameters, FillTheFieldsTheyNameAndLeaveTheOthers) {
 
   EXPECT_EQ(options_.coarse.acceptance_ratio, 0.7);
   EXPECT_EQ(options_.hits_sample_threshold, 1000);
-  EXPECT_EQ(options_.coarse_resolution, search::MatchOptions{}.coarse_resolution);
+  EXPECT_EQ(options_.coarse_resolution, search::SearchOptions{}.coarse_resolution);
 }
 
 TEST_F(YamlParameters, OfAnEmptyFileChangeNothing) { EXPECT_EQ(load("# nothing\n"), ""); }

@@ -12,7 +12,7 @@ START = (12.3, 7.1, 0.7)  # T_reference_session
 
 def of_another_building():
     """Pillars, 0.6 m apart."""
-    return grid("session_map", (-4.0, -4.0), (80, 80),
+    return grid("session_map", (-4.0, -4.0), (160, 160),
                 lambda x, y: OCCUPIED if round(10 * x) % 6 == 0 and round(10 * y) % 6 == 0 else FREE)
 
 

@@ -57,10 +57,10 @@ class OverlayRecorder(unittest.TestCase):
         """Whether the node counts a message on each topic."""
         master = rosgraph.Master(rospy.get_name())
         try:
-            uri = master.lookupNode("/under_test")
-        except rosgraph.MasterError:
+            node = xmlrpc.client.ServerProxy(master.lookupNode("/under_test"))
+            subscriptions = node.getBusStats(rospy.get_name())[1]  # roscpp answers without a status
+        except (rosgraph.MasterError, OSError):  # it is not there yet
             return False
-        subscriptions = xmlrpc.client.ServerProxy(uri).getBusStats(rospy.get_name())[2][1]
         received = {topic: sum(connection[2] for connection in connections) for topic, connections in subscriptions}
         return all(received.get(topic, 0) > 0 for topic in self.publishers)
 

@@ -24,7 +24,8 @@ TEST(SplitByMatch, ShowsTheCellsAsMatchedThatTheSearchCounted) {
   for (std::uint32_t seed = 0; seed < 8; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 random(seed);
-    MatchOptions options;
+    SearchOptions options;
+    options.min_session_cells = 50;
     options.session_map_cell_offset = offsets[seed % 4];
     options.reference_map_cell_offset = offsets[(seed + seed / 4 + 1) % 4];
     const grid::OccupancyGrid reference =
@@ -34,10 +35,8 @@ TEST(SplitByMatch, ShowsTheCellsAsMatchedThatTheSearchCounted) {
     const double session_resolution = seed % 3 == 2 ? 2.0 * kResolution : kResolution;
     const grid::OccupancyGrid session = withOrigin(test::cutSession(reference, centre, 8.0, truth, session_resolution),
                                                    {0.3, -1.0, seed % 2 == 0 ? 0.4 : -2.0});
-    MapMatcher matcher(options);
-    matcher.setReference(reference);
-    const MatchResult result = matcher.match(session);
-    ASSERT_TRUE(result.matched()) << result.reason;
+    const SearchResult result = MapMatcher(options).match(Reference(reference, options), session);
+    ASSERT_TRUE(result.found) << result.reason;
 
     const MatchedCells cells = splitByMatch(reference, session, result.T_reference_session, options);
 
@@ -51,7 +50,7 @@ TEST(SplitByMatch, ShowsTheCellsAsMatchedThatTheSearchCounted) {
 
 TEST(SplitByMatch, TellsWhereTheCellsAreAndNotWhereTheyWereDrawn) {
   const grid::OccupancyGrid map = test::asciiMap({"..", "#."}, 0.1);
-  MatchOptions options;
+  SearchOptions options;
   options.session_map_cell_offset = 0.5;
   options.reference_map_cell_offset = 0.5;
 

@@ -15,9 +15,9 @@ using test::thrownText;
 using Texts = std::vector<std::string>;
 using Numbers = std::vector<double>;
 
-class CommandLineTest : public testing::Test {
- protected:
-  CommandLineTest() : command_line_("program", "Does something.", "Exit status: 0.") {
+/// A program with an option of every kind.
+struct Program {
+  Program() : command_line_("program", "Does something.", "Exit status: 0.") {
     const Option& map = command_line_.add("--map", &map_, "a map");
     const Option& bag = command_line_.add("--bag", &bag_, "a bag").excludes(map);
     command_line_.add("--scan", &scan_, "its topic").needs(bag);
@@ -41,10 +41,6 @@ class CommandLineTest : public testing::Test {
     return command_line_.parse(static_cast<int>(pointers.size()), pointers.data());
   }
 
-  std::string problemWith(const Texts& arguments) {
-    return thrownText<ArgumentError>([&] { parse(arguments); });
-  }
-
   CommandLine command_line_;
   std::string map_;
   std::string bag_;
@@ -58,6 +54,14 @@ class CommandLineTest : public testing::Test {
   Texts topics_{"/detections"};
   bool scrub_ = false;
   bool intensity_ = true;
+};
+
+class CommandLineTest : public testing::Test, protected Program {
+ protected:
+  /// What a program says that is run with these arguments.
+  static std::string problemWith(const Texts& arguments) {
+    return thrownText<ArgumentError>([&] { Program().parse(arguments); });
+  }
 };
 
 TEST_F(CommandLineTest, readsValuesOfEveryKind) {
@@ -128,7 +132,9 @@ TEST_F(CommandLineTest, tellsAllProblemsAtOnce) {
   std::string output;
   command_line_.add("--output", &output, "file to write").required();
 
-  EXPECT_EQ(problemWith({"--beams", "many", "--seeed", "1"}),
+  EXPECT_EQ(thrownText<ArgumentError>([&] {
+              parse({"--beams", "many", "--seeed", "1"});
+            }),
             "--beams is many, expected a whole number\nthere is no option --seeed; did you mean --seed?\n"
             "--output is missing, expected a text: file to write");
 }

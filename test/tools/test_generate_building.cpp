@@ -42,8 +42,9 @@ TEST(GenerateBuilding, refusesBadArgumentsAndWritesNothing) {
   const test::TemporaryDir dir;
   const std::string output = " --output " + dir / "office.yaml";
   for (const Case& bad : {Case{"--resolution 5", "resolution is 5, expected 0.01 to 0.1 m"},
-                          Case{"--length 3 --width nan", "length is 3, expected 40 to 200 m; width is nan"},
-                          Case{"--resolution fine", "fine"}, Case{"--seed -1", "-1"}, Case{"--sede 1", "--sede"}}) {
+                          Case{"--length 3 --width 3", "length is 3, expected 40 to 200 m; width is 3"},
+                          Case{"--width nan", "--width is nan, expected a number"}, Case{"--resolution fine", "fine"},
+                          Case{"--seed -1", "-1"}, Case{"--sede 1", "--sede"}}) {
     const ProgramRun run = generateBuilding(bad.arguments + output);
     EXPECT_EQ(run.exit_status, 2) << bad.arguments;
     EXPECT_NE(run.output.find(bad.complaint), std::string::npos) << bad.arguments << ": " << run.output;

@@ -76,6 +76,11 @@ TEST_F(MatchMaps, PrintsNothingButTheResultAsJsonWhenAskedTo) {
   EXPECT_EQ(json.at("upper_bound"), json.at("hit_ratio"));
   EXPECT_TRUE(json.at("runner_up").is_null());
   EXPECT_GE(json.at("margin"), 0.1);
+  ASSERT_FALSE(json.at("evidence").empty());
+  for (const auto& piece : json.at("evidence")) {
+    EXPECT_NE(piece.at("bearing"), "against") << piece;
+    EXPECT_FALSE(piece.at("text").get<std::string>().empty()) << piece;
+  }
 }
 
 TEST_F(MatchMaps, SearchesInTwoStagesAloneWhenAskedTo) {
@@ -96,8 +101,8 @@ TEST_F(MatchMaps, ShowsTheRunnerUpWhenItIsNearlyAsGood) {
   const auto json = nlohmann::json::parse(match.output);
   EXPECT_EQ(json.at("status"), "ambiguous");
   EXPECT_TRUE(json.at("transform").is_null());
-  EXPECT_EQ(json.at("candidate").at("ratio"), json.at("hit_ratio"));
-  EXPECT_NEAR(json.at("runner_up").at("ratio").get<double>(),
+  EXPECT_EQ(json.at("candidate_ratio"), json.at("hit_ratio"));
+  EXPECT_NEAR(json.at("runner_up_ratio").get<double>(),
               json.at("hit_ratio").get<double>() - json.at("margin").get<double>(), 1e-9);
   for (const char* key : {"x", "y", "yaw"}) {
     EXPECT_TRUE(json.at("candidate").at(key).is_number()) << key;

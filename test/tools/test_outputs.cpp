@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 using test::ProgramRun;
 using test::runProgram;
 
-constexpr int tools::kBadInput = 2;
+constexpr int kBadInput = 2;
 constexpr const char* kSmallFiles = "ulimit -f 8; trap '' XFSZ;";  // 4 or 8 KiB, whatever the shell takes for a block
 
 std::string contentOf(const std::string& path) {
@@ -56,7 +56,7 @@ class Outputs : public testing::Test {
 
   void expectRefused(const std::string& program, const std::string& arguments, const std::string& named) const {
     const ProgramRun done = runProgram(program, arguments);
-    EXPECT_EQ(done.exit_status, tools::kBadInput) << arguments << '\n' << done.output;
+    EXPECT_EQ(done.exit_status, kBadInput) << arguments << '\n' << done.output;
     EXPECT_NE(done.output.find(named), std::string::npos) << arguments << '\n' << done.output;
     EXPECT_EQ(names(), before_) << arguments;
   }
@@ -162,7 +162,7 @@ TEST_F(Outputs, tellWhenStandardOutputIsFull) {
         MATCH_MAPS + std::string(" --help"), std::string(GENERATE_BUILDING) + " --output " + (dir_ / "office.yaml")}) {
     const ProgramRun done = runProgram("/bin/sh", "-c \"exec " + command + " > /dev/full\"");
 
-    EXPECT_EQ(done.exit_status, tools::kBadInput) << command;
+    EXPECT_EQ(done.exit_status, kBadInput) << command;
     EXPECT_NE(done.output.find("standard output cannot be written: No space left on device"), std::string::npos)
         << command << '\n'
         << done.output;

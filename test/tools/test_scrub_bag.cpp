@@ -2,9 +2,9 @@
 
 #include <string>
 
+#include "map_matcher/belief/single_match.hpp"
 #include "map_matcher/evaluation/map_quality.hpp"
 #include "map_matcher/grid/map_file.hpp"
-#include "map_matcher/search/map_matcher.hpp"
 #include "support/program.hpp"
 #include "support/temporary_dir.hpp"
 
@@ -23,11 +23,10 @@ class ScrubBag : public testing::Test {
 
   evaluation::MapQuality qualityOf(const std::string& session_file) const {
     const grid::OccupancyGrid session = grid::loadMap(session_file);
-    search::MapMatcher matcher;
-    matcher.setReference(grid::loadMap(office));
-    const search::MatchResult match = matcher.match(session);
+    const search::Reference reference(grid::loadMap(office), {});
+    const belief::Answer match = belief::matchAlone(reference, session, {});
     EXPECT_TRUE(match.matched()) << match.reason;
-    return evaluation::mapQuality(grid::loadMap(office), session, match.T_reference_session, 0.15);
+    return evaluation::mapQuality(reference.grid(), session, match.search.T_reference_session, 0.15);
   }
 
   const test::TemporaryDir dir;

@@ -51,7 +51,7 @@ TEST(Trial, LocalizesARobotThatDrivesThroughAnOffice) {
 
   ASSERT_GE(queries.size(), 4U);
   const TrialQuery& last = queries.back();
-  ASSERT_TRUE(last.result.matched()) << last.result.reason;
+  ASSERT_TRUE(last.answer.matched()) << last.answer.reason;
   EXPECT_LT(last.robotError()->translation, 0.1);
   EXPECT_LT(evaluation::errorOf(*last.alignment(), *last.true_alignment).translation, 0.15);
   EXPECT_GT(last.travelled, 2.0);
@@ -72,7 +72,7 @@ TEST(Trial, BeginsANewSessionWheneverTheIntervalIsOver) {
     if (query.session_age == 0.0) {
       EXPECT_EQ(query.travelled, 0.0);
     }
-    if (query.result.matched() && query.travelled > 1.0) {
+    if (query.answer.matched() && query.travelled > 1.0) {
       EXPECT_LT(query.robotError()->translation, 0.2) << "at " << query.time << " s";
     }
   }
@@ -99,7 +99,7 @@ TEST(Trial, IsNotChangedByScrubbingWhereNobodyIs) {
   const std::vector<TrialQuery> scrubbed = queriesOf(options, driveOptions());
 
   ASSERT_EQ(original.size(), scrubbed.size());
-  EXPECT_EQ(original.back().result.matched_cells, scrubbed.back().result.matched_cells);
+  EXPECT_EQ(original.back().answer.search.matched_cells, scrubbed.back().answer.search.matched_cells);
   EXPECT_EQ(original.back().occupied, scrubbed.back().occupied);
 }
 
@@ -137,7 +137,7 @@ TEST(TrialTable, HasACellInEachRowForEachName) {
 TEST(TrialTable, LeavesEmptyWhatIsNotKnown) {
   TrialQuery query;
   query.time = 2.5;
-  query.result.status = search::MatchStatus::kBelowAcceptanceRatio;
+  query.answer.status = belief::MatchStatus::kBelowAcceptanceRatio;
 
   const std::string csv = toCsv({query});
 
@@ -160,17 +160,18 @@ std::string cellOf(const std::string& csv, const std::string& name) {
 
 TEST(TrialTable, TellsWhatTheExactSearchProved) {
   TrialQuery query;
-  query.result.certified = true;
-  query.result.hit_ratio = 0.75;
-  query.result.upper_bound = 0.8;
-  query.result.margin = 0.25;
-  query.result.nearby = {200, 0.75, 90, 0.5};
+  query.answer.search.certified = true;
+  query.answer.search.hit_ratio = 0.75;
+  query.answer.search.upper_bound = 0.8;
+  query.answer.search.margin = 0.25;
+  query.answer.nearby = {200, 10.0, 0.75, 90, 4.5, 0.5};
+  query.answer.evidence = surroundingsEvidence(query.answer.nearby, {}, false);
   search::StageReport exact;
   exact.name = "exact";
   exact.initialization_time = 0.5;
   exact.rotation_expansion_time = 0.25;
   exact.depth_first_search_time = 2.0;
-  query.result.stages = {exact};
+  query.answer.search.stages = {exact};
 
   const std::string csv = toCsv({query});
 

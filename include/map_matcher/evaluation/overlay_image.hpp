@@ -6,7 +6,7 @@
 #include <string>
 
 #include "map_matcher/grid/occupancy_grid.hpp"
-#include "map_matcher/search/match_options.hpp"
+#include "map_matcher/search/search_options.hpp"
 
 namespace map_matcher::evaluation {
 
@@ -17,6 +17,6 @@ namespace map_matcher::evaluation {
 /// cannot be written.
 void writeOverlayImage(const std::string& path, const grid::OccupancyGrid& reference,
                        const grid::OccupancyGrid& session, const std::optional<grid::Rigid2>& T_reference_session,
-                       const search::MatchOptions& options = {});
+                       const search::SearchOptions& options = {});
 
 }  // namespace map_matcher::evaluation

@@ -5,12 +5,12 @@
 #include <vector>
 
 #include "map_matcher/grid/occupancy_grid.hpp"
-#include "map_matcher/search/match_options.hpp"
+#include "map_matcher/search/search_options.hpp"
 
 namespace map_matcher::search {
 
 /// Occupied session cells by whether their centres fall on occupied reference cells, as the search counts them
-/// (MatchResult::matched_cells, but for what hits_sample_threshold leaves out). Centres with session_map_cell_offset.
+/// (SearchResult::matched_cells, but for what hits_sample_threshold leaves out). Centres with session_map_cell_offset.
 struct MatchedCells {
   std::vector<Eigen::Vector2d> matched;    ///< [m], session map frame.
   std::vector<Eigen::Vector2d> unmatched;  ///< [m], session map frame.
@@ -19,7 +19,7 @@ struct MatchedCells {
 /// Splits the occupied cells of `session` placed at `T_reference_session`. Of `options` occupied_threshold and the two
 /// cell offsets count.
 MatchedCells splitByMatch(const grid::OccupancyGrid& reference, const grid::OccupancyGrid& session,
-                          const grid::Rigid2& T_reference_session, const MatchOptions& options = {});
+                          const grid::Rigid2& T_reference_session, const SearchOptions& options = {});
 
 /// Pose of a grid's corner in its map's frame, where the map draws all by `cell_offset` cells too far along +x and +y
 /// of the grid.

@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "map_matcher/grid/rigid2.hpp"
+#include "map_matcher/search/constraints.hpp"
 #include "map_matcher/search/counting/search_window.hpp"
-#include "map_matcher/search/match_prior.hpp"
 
 namespace map_matcher::search {
 

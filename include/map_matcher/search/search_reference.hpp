@@ -7,8 +7,8 @@
 #include "map_matcher/grid/occupancy_grid.hpp"
 #include "map_matcher/search/counting/precomputed_grids.hpp"
 #include "map_matcher/search/counting/widened_grids.hpp"
-#include "map_matcher/search/match_options.hpp"
 #include "map_matcher/search/refinement/distance_field.hpp"
+#include "map_matcher/search/search_options.hpp"
 #include "map_matcher/work/deadline.hpp"
 
 namespace map_matcher::search {
@@ -27,7 +27,7 @@ class SearchReference {
   /// stage, and at the halving of it that is nearest to options.coarse_resolution for the coarse stage. Throws
   /// DeadlinePassed within 50 ms when that comes before the end, std::invalid_argument for a map too large for the
   /// search and std::system_error when no thread can be started.
-  SearchReference(const grid::OccupancyGrid& reference, double resolution, const MatchOptions& options,
+  SearchReference(const grid::OccupancyGrid& reference, double resolution, const SearchOptions& options,
                   const work::Deadline& deadline = work::Deadline());
 
   double resolution() const { return fine_resolution_; }          ///< Of the fine stage [m].

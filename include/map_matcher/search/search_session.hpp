@@ -7,7 +7,7 @@
 #include "map_matcher/grid/occupancy_grid.hpp"
 #include "map_matcher/grid/rigid2.hpp"
 #include "map_matcher/search/counting/session_cells.hpp"
-#include "map_matcher/search/match_options.hpp"
+#include "map_matcher/search/search_options.hpp"
 
 namespace map_matcher::search {
 
@@ -21,6 +21,6 @@ struct SearchSession {
 };
 
 /// `resolution` is that of the fine stage [m].
-SearchSession searchSession(const grid::OccupancyGrid& session, double resolution, const MatchOptions& options);
+SearchSession searchSession(const grid::OccupancyGrid& session, double resolution, const SearchOptions& options);
 
 }  // namespace map_matcher::search

@@ -1,5 +1,5 @@
 /// \file
-/// The session maps of a drive, one after the other, matched as the node would.
+/// The session maps of a drive, one after the other, matched and judged as in the node.
 #pragma once
 
 #include <functional>
@@ -7,8 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "map_matcher/belief/session_memory.hpp"
+#include "map_matcher/belief/match_options.hpp"
+#include "map_matcher/belief/session_tracker.hpp"
 #include "map_matcher/search/map_matcher.hpp"
+#include "map_matcher/search/reference.hpp"
 #include "map_matcher/trials/trial_query.hpp"
 
 namespace map_matcher::trials {
@@ -17,12 +19,12 @@ namespace map_matcher::trials {
 class SessionMatching {
  public:
   /// Throws std::invalid_argument that names every option out of range.
-  SessionMatching(const grid::OccupancyGrid& reference, const search::MatchOptions& options);
+  SessionMatching(const grid::OccupancyGrid& reference, const belief::MatchOptions& options);
 
   /// A new session begins: its maps have another frame than those before.
-  void beginSession() { memory_.clear(); }
+  void beginSession() { tracker_.reset(); }
 
-  /// The session's next map. `query` says how the map came to be; result, occupied and falsely_occupied are filled in.
+  /// The session's next map. `query` says how the map came to be; answer, occupied and falsely_occupied are filled in.
   void match(grid::OccupancyGrid map, TrialQuery query);
 
   /// Called once with the first session map that is matched and T_reference_session.
@@ -35,11 +37,11 @@ class SessionMatching {
   const std::optional<grid::OccupancyGrid>& lastMap() const { return last_map_; }
 
  private:
-  grid::OccupancyGrid reference_;
+  search::Reference reference_;
   search::MapMatcher matcher_;
+  belief::SessionTracker tracker_;
   std::vector<TrialQuery> queries_;
   std::optional<grid::OccupancyGrid> last_map_;
-  belief::SessionMemory memory_;
   OnFirstMatch on_first_match_;  // null when it was called, or nobody asked
 };
 

@@ -39,7 +39,7 @@ struct TrialOptions {
   bool scrub = false;                ///< Whether scans are scrubbed before the mapper sees them.
   scrubbing::ScrubbingOptions scrubbing;
   double detection_wait = 0.0;  ///< [s] So long a scan waits for the detections made from it; 0: it never waits.
-  search::MatchOptions match;
+  belief::MatchOptions match;
 };
 
 /// What the mapper was given at an instant, for what is to be compared with it.

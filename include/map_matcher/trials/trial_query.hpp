@@ -4,8 +4,8 @@
 
 #include <optional>
 
+#include "map_matcher/belief/answer.hpp"
 #include "map_matcher/evaluation/trajectory_error.hpp"
-#include "map_matcher/search/match_result.hpp"
 
 namespace map_matcher::trials {
 
@@ -15,7 +15,7 @@ struct TrialQuery {
   int session = 0;           ///< Counts the sessions from 0.
   double session_age = 0.0;  ///< Since the session's first scan [s].
   double travelled = 0.0;    ///< In the session, by odometry [m].
-  search::MatchResult result;
+  belief::Answer answer;
   grid::Rigid2 T_session_base;  ///< Where the mapper believes the robot to be in its map.
   std::optional<grid::Rigid2>
       true_alignment;                 ///< T_reference_session as of the session's first scan, where it is known.

@@ -14,7 +14,8 @@ namespace map_matcher::trials {
 /// certified, hit_ratio, upper_bound, margin of the exact search and exact_time, which it took; alignment_x, _y, _yaw
 /// and their errors against the true alignment of the maps (report figure 10b); heading_drift, the error of the robot's
 /// heading in the session map, which bends walls that are parallel in truth; the robot's estimated and true pose and
-/// the error between them; occupied and falsely_occupied cells. Units are s, m, rad and cells; what is not known is
+/// the error between them; occupied and falsely_occupied cells; the maps
+/// around the robot; evidence, each piece as name:bearing. Units are s, m, rad and cells; what is not known is
 /// empty.
 std::string toCsv(const std::vector<TrialQuery>& queries);
 

@@ -130,7 +130,7 @@ void SessionMapperServer::publish(const SessionSnapshot& snapshot) {
 }
 
 nav_msgs::OccupancyGrid SessionMapperServer::messageOf(const SessionSnapshot& snapshot) const {
-  return toMessage(snapshot.map, options_.map_frame, snapshot.stamp);
+  return ros_common::toMessage(snapshot.map, options_.map_frame, snapshot.stamp);
 }
 
 }  // namespace map_matcher::ros_mapping

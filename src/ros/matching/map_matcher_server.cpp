@@ -4,6 +4,8 @@
 
 #include "map_matcher/ros/common/conversions.hpp"
 #include "map_matcher/ros/common/names.hpp"
+#include "map_matcher/ros/matching/match_messages.hpp"
+#include "map_matcher/search/matched_cells.hpp"
 
 namespace map_matcher::ros_matching {
 namespace {
@@ -15,15 +17,16 @@ constexpr double kWarningPeriod = 10.0;  // between two warnings of the same kin
 
 MapMatcherServer::MapMatcherServer(ros::NodeHandle node, ros::NodeHandle private_node,
                                    const MapMatcherServerOptions& options)
-    : map_match_publisher_(node.advertise<MapMatch>(ros_common::names::kMapMatch, 1, true)),
+    : tracker_(options.match),
+      matcher_(options.match.search),
+      map_match_publisher_(node.advertise<MapMatch>(ros_common::names::kMapMatch, 1, true)),
       broadcaster_(node, tfModeOf(options.tf_mode), options.transform_tolerance),
       robot_(tf_, options.base_frame),
       pose_publisher_(node, robot_),
       overlay_publisher_(node),
-      reference_source_(node, private_node, options.match.occupied_threshold,
+      reference_source_(node, private_node, options.match.search,
                         [this](const ReferenceMapPtr& reference) { onReference(reference); }),
       session_subscriber_(node.subscribe(ros_common::names::kSessionMap, 1, &MapMatcherServer::onSessionMap, this)),
-      matcher_(options.match),
       worker_([](const std::string& what) { ROS_ERROR_STREAM("a search failed: " << what); }) {
   if (!options.reference_map_file.empty()) {
     reference_source_.load(options.reference_map_file, options.reference_frame);
@@ -38,12 +41,35 @@ MapMatcherServer::MapMatcherServer(ros::NodeHandle node, ros::NodeHandle private
   tellWhatIsMissing();
 }
 
-void MapMatcherServer::onSessionMap(const nav_msgs::OccupancyGridConstPtr& message) {
+void MapMatcherServer::onSessionMap(const MapEvent& event) {
   followClock(ros::Time::now());
+  const nav_msgs::OccupancyGrid& message = *event.getConstMessage();
+  SessionMapPtr session;
+  std::string problem;
+  try {
+    session = sessionMapOf(message);
+  } catch (const ros_common::MessageError& error) {
+    problem = error.what();
+  }
   const std::lock_guard<std::mutex> lock(mutex_);
-  session_ = message;
   ++record_.session_maps;
   record_.last_session_map = ros::Time::now();
+  if (!session) {
+    MapMatch report = refusal(MapMatch::INVALID_MAP, problem);
+    fillFrames(report, reference_, ros_common::frameName(message.header.frame_id), message.header.stamp);
+    tellReport(report);
+    return;
+  }
+  if (!reference_ || session->frame != reference_->frame) {
+    const std::string why = tracker_.arrive(traitsOf(*session, event.getPublisherName()));
+    if (!why.empty()) {
+      ROS_WARN_STREAM("a new session begins, and what was known of the last one is forgotten: the session map is "
+                      << "another one than before, since " << why);
+      withdraw();
+      record_.new_session = why;
+    }
+  }
+  session_ = session;
   submitMatch(nullptr);
 }
 
@@ -106,64 +132,70 @@ std::optional<std::future<MapMatch>> MapMatcherServer::matchSession() {
 }
 
 void MapMatcherServer::submitMatch(const Answer& answer) {
-  worker_.submit([this, session = session_, reference = reference_, answer](const work::StopToken& stop) {
-    SessionMatch match = matchForBroadcast(matcher_, reference, *session, priorFor(*session), stop);
-    conclude(session, match, stop);
+  const auto finish = [this, session = session_, reference = reference_, answer](MapMatch& report) {
+    fillFrames(report, reference, session->frame, session->stamp);
+    tellReport(report);
     if (answer) {
-      answer->set_value(match.report);
+      answer->set_value(report);
     }
-  });
+  };
+  worker_.submit(
+      [this, finish, session = session_, reference = reference_](const work::StopToken& stop) {
+        search::SearchResult result;
+        std::optional<MapMatch> refused = reference ? refuseEqualFrames(*reference, *session) : noReferenceReport();
+        if (!refused) {
+          result = matcher_.match(reference->map, session->grid, demandOf(tracker_.options()), {}, stop);
+        }
+        const std::lock_guard<std::mutex> lock(mutex_);
+        if (!stop.stopRequested()) {
+          MapMatch report = refused ? *refused : conclude(*session, reference, result);
+          finish(report);
+        }
+      },
+      [this, finish](const std::string& what, const work::StopToken& stop) {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        if (!stop.stopRequested()) {
+          MapMatch report = refusal(MapMatch::FAILED, "the search failed: " + what);
+          finish(report);
+        }
+      });
 }
 
-/// What earlier maps of the same frame say, and where tf has the robot.
-search::MatchPrior MapMatcherServer::priorFor(const nav_msgs::OccupancyGrid& session) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  if (memory_frame_ != session.header.frame_id) {
-    memory_.clear();
-    memory_frame_ = session.header.frame_id;
+/// What is believed after a search, and broadcast.
+MapMatch MapMatcherServer::conclude(const SessionMap& session, const ReferenceMapPtr& reference,
+                                    const search::SearchResult& result) {
+  const RobotPose robot = robot_.atOrShortlyBefore(session.frame, session.stamp);
+  record_.robot_unknown = robot.reason;
+  const auto place =
+      robot.T_session_base ? std::optional<Eigen::Vector2d>(robot.T_session_base->translation()) : std::nullopt;
+  const belief::Decision decision = tracker_.conclude(result, reference->map, session.grid, place);
+  MapMatch report = toMessage(decision.answer);
+  fillFrames(report, reference, session.frame, session.stamp);
+  switch (decision.broadcast) {
+    case belief::Broadcast::kReplace:
+      broadcaster_.set({reference->frame, session.frame, result.T_reference_session});
+      pose_publisher_.request(report, ros::Time::now());
+      overlay_publisher_.publish(search::splitByMatch(reference->map.grid(), session.grid, result.T_reference_session,
+                                                      tracker_.options().search),
+                                 session.frame, session.grid.resolution());
+      break;
+    case belief::Broadcast::kWithdraw:
+      broadcaster_.clear();
+      pose_publisher_.clear();
+      break;
+    case belief::Broadcast::kKeep:
+      break;
   }
-  search::MatchPrior prior = memory_.prior();
-  const RobotPose robot = robot_.atOrShortlyBefore(session.header.frame_id, session.header.stamp);
-  if (robot.T_session_base) {
-    prior.robot = robot.T_session_base->translation();
-  }
-  return prior;
+  return report;
 }
 
-void MapMatcherServer::conclude(const nav_msgs::OccupancyGridConstPtr& session, SessionMatch& match,
-                                const work::StopToken& stop) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  if (stop.stopRequested()) {
-    return;
-  }
-  MapMatch& report = match.report;
-  memory_.add(match.result);
-  remember(session, report);
+/// Publishes and logs what came of a map.
+void MapMatcherServer::tellReport(MapMatch& report) {
   dropped_session_maps_ += isUnusable(report) ? 1 : 0;
   complete(report);
   record_.add(report);
   map_match_publisher_.publish(report);
-  if (report.status == MapMatch::MATCHED) {
-    broadcaster_.set({report.reference_frame, report.session_frame, {report.x, report.y, report.yaw}});
-    pose_publisher_.request(report, report.header.stamp);
-    overlay_publisher_.publish(match);
-  } else if (report.status == MapMatch::ROBOT_ASTRAY) {
-    broadcaster_.clear();
-    pose_publisher_.clear();
-  }
   tell(report);
-}
-
-void MapMatcherServer::remember(const nav_msgs::OccupancyGridConstPtr& session, const MapMatch& report) {
-  if (report.status != MapMatch::INVALID_MAP) {
-    last_valid_session_ = session;
-    alignment_dropped_ = false;
-  } else if (session_ == session) {
-    session_ = last_valid_session_;
-    if (session_ && alignment_dropped_) {  // its match with the reference in use gave way to that of the invalid map
-      submitMatch(nullptr);
-    }
-  }
 }
 
 void MapMatcherServer::tell(const MapMatch& report) {
@@ -174,8 +206,10 @@ void MapMatcherServer::tell(const MapMatch& report) {
                                          << report.reason);
   } else if (report.status == MapMatch::EQUAL_FRAMES && last_status_ != MapMatch::EQUAL_FRAMES) {
     ROS_ERROR_STREAM(report.reason);
-  } else if (report.status == MapMatch::ROBOT_ASTRAY && last_status_ != MapMatch::ROBOT_ASTRAY) {
+  } else if (report.status == MapMatch::ROBOT_LOST && last_status_ != MapMatch::ROBOT_LOST) {
     ROS_ERROR_STREAM("the alignment is not broadcast: " << report.reason);
+  } else if (report.status == MapMatch::FAILED) {
+    ROS_ERROR_STREAM_THROTTLE(kWarningPeriod, report.reason);
   } else if (isUnusable(report)) {
     ROS_WARN_STREAM_THROTTLE(kWarningPeriod, "session map on " << session_subscriber_.getTopic() << " dropped ("
                                                                << report.dropped_session_maps
@@ -199,7 +233,6 @@ bool MapMatcherServer::followClock(const ros::Time& now) {
                                          << " is matched");
     const std::lock_guard<std::mutex> lock(mutex_);
     session_.reset();
-    last_valid_session_.reset();
     record_ = {};
     dropAlignment();
   }
@@ -207,8 +240,11 @@ bool MapMatcherServer::followClock(const ros::Time& now) {
 }
 
 void MapMatcherServer::dropAlignment() {
-  alignment_dropped_ = true;
-  memory_.clear();
+  tracker_.reset();
+  withdraw();
+}
+
+void MapMatcherServer::withdraw() {
   record_.forgetMatch();
   worker_.cancel();
   broadcaster_.clear();

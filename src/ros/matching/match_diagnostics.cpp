@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "map_matcher/ros/common/diagnostic_levels.hpp"
-#include "map_matcher/ros/matching/reference_matcher.hpp"
+#include "map_matcher/ros/matching/session_map.hpp"
 
 namespace map_matcher::ros_matching {
 namespace {
@@ -17,7 +17,8 @@ const ros::WallDuration kReportPeriod(1.0);
 
 /// Whether the report says that something is wrong, and not only that more has to be seen.
 bool isError(const MapMatch& report) {
-  return report.status == MapMatch::EQUAL_FRAMES || report.status == MapMatch::ROBOT_ASTRAY;
+  return report.status == MapMatch::EQUAL_FRAMES || report.status == MapMatch::ROBOT_LOST ||
+         report.status == MapMatch::FAILED;
 }
 
 double ageOf(const ros::Time& time) { return (ros::Time::now() - time).toSec(); }
@@ -28,10 +29,11 @@ void MatchRecord::add(const MapMatch& report) {
   last_report = report;
   if (report.status == MapMatch::MATCHED) {
     last_match = report;
+    new_session.clear();
     reports_since = 0;
     return;
   }
-  if (report.status == MapMatch::ROBOT_ASTRAY) {
+  if (report.status == MapMatch::ROBOT_LOST) {
     last_match.reset();
   }
   ++reports_since;
@@ -65,7 +67,7 @@ void MatchDiagnostics::reportReference(DiagnosticStatusWrapper& status) const {
     status.summary(kWarn, "no reference map yet on " + reference_topic_);
     return;
   }
-  const grid::OccupancyGrid& grid = state_.reference->grid;
+  const grid::OccupancyGrid& grid = state_.reference->map.grid();
   status.summary(kOk, "in use");
   status.add("frame", state_.reference->frame);
   status.addf("size [cells]", "%d x %d", grid.width(), grid.height());
@@ -99,12 +101,17 @@ void MatchDiagnostics::reportAlignment(DiagnosticStatusWrapper& status) const {
   if (record.last_report && isError(*record.last_report)) {
     status.summary(kError, "none: " + reason);
   } else if (!match) {
-    status.summary(kWarn, reason.empty() ? "none yet" : "none yet: " + reason);
+    const std::string since =
+        record.new_session.empty() ? "" : " in the new session, which began since " + record.new_session;
+    status.summary(kWarn, "none yet" + since + (reason.empty() ? "" : ": " + reason));
   } else if (state_.contested) {
     status.summary(kError, "not on tf: another node gives the child frame a parent");
   } else if (record.reports_since > 0) {
     status.summaryf(kWarn, "that of %.1f s ago; no map has matched since: %s", ageOf(match->header.stamp),
                     reason.c_str());
+  } else if (!record.robot_unknown.empty()) {
+    status.summary(kWarn, "that of the last map, but whether the mapper has lost the robot is not checked: " +
+                              record.robot_unknown);
   } else {
     status.summary(kOk, "that of the last map");
   }

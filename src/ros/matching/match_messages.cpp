@@ -8,29 +8,29 @@
 namespace map_matcher::ros_matching {
 namespace {
 
-std::uint8_t statusConstant(search::MatchStatus status) {
+std::uint8_t statusConstant(belief::MatchStatus status) {
   switch (status) {
-    case search::MatchStatus::kMatched:
+    case belief::MatchStatus::kMatched:
       return MapMatch::MATCHED;
-    case search::MatchStatus::kBelowAcceptanceRatio:
+    case belief::MatchStatus::kBelowAcceptanceRatio:
       return MapMatch::BELOW_ACCEPTANCE_RATIO;
-    case search::MatchStatus::kNoReference:
+    case belief::MatchStatus::kNoReference:
       return MapMatch::NO_REFERENCE;
-    case search::MatchStatus::kEmptyReference:
+    case belief::MatchStatus::kEmptyReference:
       return MapMatch::EMPTY_REFERENCE;
-    case search::MatchStatus::kTooFewSessionCells:
+    case belief::MatchStatus::kTooFewSessionCells:
       return MapMatch::TOO_FEW_SESSION_CELLS;
-    case search::MatchStatus::kSessionTooLarge:
+    case belief::MatchStatus::kSessionTooLarge:
       return MapMatch::SESSION_TOO_LARGE;
-    case search::MatchStatus::kNotCertified:
+    case belief::MatchStatus::kNotCertified:
       return MapMatch::NOT_CERTIFIED;
-    case search::MatchStatus::kAmbiguous:
+    case belief::MatchStatus::kAmbiguous:
       return MapMatch::AMBIGUOUS;
-    case search::MatchStatus::kUnconfirmed:
+    case belief::MatchStatus::kUnconfirmed:
       return MapMatch::UNCONFIRMED;
-    case search::MatchStatus::kRobotAstray:
-      return MapMatch::ROBOT_ASTRAY;
-    case search::MatchStatus::kStopped:
+    case belief::MatchStatus::kRobotLost:
+      return MapMatch::ROBOT_LOST;
+    case belief::MatchStatus::kStopped:
       break;
   }
   return MapMatch::STOPPED;
@@ -42,6 +42,8 @@ const char* refusalText(std::uint8_t status) {
       return "equal_frames";
     case MapMatch::INVALID_REQUEST:
       return "invalid_request";
+    case MapMatch::FAILED:
+      return "failed";
     default:
       return "invalid_map";
   }
@@ -65,9 +67,29 @@ MatchStage toMessage(const search::StageReport& stage) {
   return message;
 }
 
+Evidence toMessage(const belief::Evidence& piece) {
+  Evidence message;
+  message.name = piece.name;
+  message.value = piece.value;
+  message.limit = piece.limit;
+  message.text = piece.text;
+  switch (piece.bearing) {
+    case belief::Bearing::kFor:
+      message.bearing = Evidence::FOR;
+      break;
+    case belief::Bearing::kAgainst:
+      message.bearing = Evidence::AGAINST;
+      break;
+    case belief::Bearing::kSilent:
+      message.bearing = Evidence::SILENT;
+      break;
+  }
+  return message;
+}
+
 using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
-void fillCertificate(MapMatch& message, const search::MatchResult& result) {
+void fillCertificate(MapMatch& message, const search::SearchResult& result) {
   message.certified = result.certified;
   message.replaced = result.replaced;
   message.hit_cells = result.hit_cells;
@@ -82,30 +104,41 @@ void fillCertificate(MapMatch& message, const search::MatchResult& result) {
     message.runner_up_ratio = result.runner_up->ratio;
   }
   message.margin = result.margin;
-  message.nearby_cells = result.nearby.cells;
-  message.nearby_ratio = result.nearby.ratio;
-  message.nearby_walls = result.nearby.walls;
-  message.nearby_walls_ratio = result.nearby.walls_ratio;
+  message.runner_up_proven = result.runner_up_proven;
+}
+
+void fillSurroundings(MapMatch& message, const belief::Surroundings& nearby) {
+  message.nearby_cells = nearby.cells;
+  message.nearby_ratio = nearby.ratio;
+  message.nearby_walls = nearby.walls;
+  message.nearby_walls_ratio = nearby.walls_ratio;
 }
 
 }  // namespace
 
-MapMatch toMessage(const search::MatchResult& result) {
+MapMatch toMessage(const belief::Answer& answer) {
+  const search::SearchResult& result = answer.search;
   MapMatch message;
-  message.status = statusConstant(result.status);
-  message.status_text = toString(result.status);
-  message.reason = result.reason;
-  const grid::Rigid2 T_reference_session = result.matched() ? result.T_reference_session : grid::Rigid2{};
+  message.status = statusConstant(answer.status);
+  message.status_text = toString(answer.status);
+  message.reason = answer.reason;
+  const grid::Rigid2 T_reference_session = answer.alignment().value_or(grid::Rigid2{});
   message.T_reference_session = ros_common::toTransformMessage(T_reference_session);
   message.x = T_reference_session.x;
   message.y = T_reference_session.y;
   message.yaw = T_reference_session.yaw;
-  Eigen::Map<RowMajor>(message.covariance.data()) = result.covariance;
+  if (answer.matched()) {
+    Eigen::Map<RowMajor>(message.covariance.data()) = result.covariance;
+  }
   message.refined = result.refined;
   message.matched_cells = result.matched_cells;
   message.total_cells = result.total_cells;
   message.ratio = result.ratio;
   fillCertificate(message, result);
+  fillSurroundings(message, answer.nearby);
+  for (const belief::Evidence& piece : answer.evidence) {
+    message.evidence.push_back(toMessage(piece));
+  }
   for (const search::StageReport& stage : result.stages) {
     message.stages.push_back(toMessage(stage));
   }

@@ -17,13 +17,11 @@ namespace {
 
 constexpr std::chrono::milliseconds kStopPeriod{20};  // how often a caller who waits is looked after
 
-bool overrides(double value) { return value != 0.0 && !std::isnan(value); }
-
-bool sameSearch(const search::MatchOptions& a, const search::MatchOptions& b) {
-  return a.coarse.acceptance_ratio == b.coarse.acceptance_ratio &&
-         a.coarse.rotation_downsampling == b.coarse.rotation_downsampling &&
-         a.hits_sample_threshold == b.hits_sample_threshold;
+void requireValid(belief::MatchOptions options) {
+  parameters::throwIfAny(parameters::problemsOf(parametersOf(options)));
 }
+
+bool overrides(double value) { return value != 0.0 && !std::isnan(value); }
 
 /// A field of a request, finite and not below `min`.
 parameters::Parameter field(const char* name, const char* unit, double& value,
@@ -33,7 +31,7 @@ parameters::Parameter field(const char* name, const char* unit, double& value,
 
 }  // namespace
 
-MatchServices::MatchServices(ros::NodeHandle node, ros::NodeHandle private_node, const search::MatchOptions& options,
+MatchServices::MatchServices(ros::NodeHandle node, ros::NodeHandle private_node, const belief::MatchOptions& options,
                              Actions actions)
     : options_(options), actions_(std::move(actions)) {
   node.setCallbackQueue(&queue_);
@@ -53,14 +51,13 @@ MatchServices::~MatchServices() {
 
 bool MatchServices::onMatchToReference(MatchToReference::Request& request, MatchToReference::Response& response) {
   try {
-    const search::MatchOptions options = optionsOf(request, options_);
-    const search::MatchPrior prior = priorOf(request);
-    if (!matcher_ || !sameSearch(matcher_->options(), options)) {
-      matcher_.emplace(options);
-    }
-    response.match = matcher_->match(actions_.reference(), request.session_map, prior, stop_).report;
+    const belief::MatchOptions options = optionsOf(request, options_);
+    requireValid(options);
+    response.match = matchMessage(options, actions_.reference(), request.session_map, constraintsOf(request), stop_);
   } catch (const std::invalid_argument& error) {
     response.match = refusal(MapMatch::INVALID_REQUEST, error.what());
+  } catch (const std::exception& error) {
+    response.match = refusal(MapMatch::FAILED, error.what());
   }
   actions_.complete(response.match);
   return true;
@@ -101,30 +98,30 @@ bool MatchServices::onMatchNow(std_srvs::Trigger::Request&, std_srvs::Trigger::R
   return true;
 }
 
-search::MatchOptions optionsOf(const MatchToReference::Request& request, const search::MatchOptions& node_options) {
-  search::MatchOptions options = node_options;
+belief::MatchOptions optionsOf(const MatchToReference::Request& request, const belief::MatchOptions& node_options) {
+  belief::MatchOptions options = node_options;
   if (overrides(request.acceptance_ratio)) {
-    options.coarse.acceptance_ratio = request.acceptance_ratio;
+    options.search.coarse.acceptance_ratio = request.acceptance_ratio;
   }
   if (overrides(request.rotation_downsampling)) {
-    options.coarse.rotation_downsampling = request.rotation_downsampling;
+    options.search.coarse.rotation_downsampling = request.rotation_downsampling;
   }
   if (request.hits_sample_threshold != 0) {
-    options.hits_sample_threshold = request.hits_sample_threshold == -1 ? 0 : request.hits_sample_threshold;
+    options.search.hits_sample_threshold = request.hits_sample_threshold == -1 ? 0 : request.hits_sample_threshold;
   }
   return options;
 }
 
-search::MatchPrior priorOf(const MatchToReference::Request& request) {
+search::Constraints constraintsOf(const MatchToReference::Request& request) {
   MatchToReference::Request values = request;
-  search::MatchPrior prior;
+  search::Constraints constraints;
   if (request.use_heading_prior) {
     parameters::throwIfAny(parameters::problemsOf(
         {field("heading", "rad", values.heading), field("heading_half_width", "rad", values.heading_half_width, 0.0)}));
-    prior.heading = search::HeadingPrior{};
-    prior.heading->yaw = request.heading;
+    constraints.heading = search::HeadingPrior{};
+    constraints.heading->yaw = request.heading;
     if (request.heading_half_width > 0.0) {
-      prior.heading->half_width = request.heading_half_width;
+      constraints.heading->half_width = request.heading_half_width;
     }
   }
   if (request.use_window_prior) {
@@ -132,10 +129,10 @@ search::MatchPrior priorOf(const MatchToReference::Request& request) {
                                                    field("window_centre_y", "m", values.window_centre_y),
                                                    field("window_half_size_x", "m", values.window_half_size_x, 0.0),
                                                    field("window_half_size_y", "m", values.window_half_size_y, 0.0)}));
-    prior.window = search::WindowPrior{{request.window_centre_x, request.window_centre_y},
-                                       {request.window_half_size_x, request.window_half_size_y}};
+    constraints.window = search::WindowPrior{{request.window_centre_x, request.window_centre_y},
+                                             {request.window_half_size_x, request.window_half_size_y}};
   }
-  return prior;
+  return constraints;
 }
 
 }  // namespace map_matcher::ros_matching

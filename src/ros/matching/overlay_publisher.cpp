@@ -21,16 +21,16 @@ std_msgs::ColorRGBA colour(float red, float green, float blue) {
 
 /// A square for each cell; a marker without points, which rviz complains about, becomes one that deletes.
 visualization_msgs::Marker marker(const std::string& name, const std::vector<Eigen::Vector2d>& cells,
-                                  const SessionMatch& match, const std_msgs::ColorRGBA& colour) {
+                                  const std::string& frame, double resolution, const std_msgs::ColorRGBA& colour) {
   visualization_msgs::Marker marker;
-  marker.header.frame_id = match.report.session_frame;  // stamp zero: at the newest transform
+  marker.header.frame_id = frame;  // stamp zero: at the newest transform
   marker.ns = name;
   marker.type = visualization_msgs::Marker::POINTS;
   marker.action = cells.empty() ? visualization_msgs::Marker::DELETE : visualization_msgs::Marker::ADD;
   marker.frame_locked = true;
   marker.pose.orientation.w = 1.0;
-  marker.scale.x = match.resolution;
-  marker.scale.y = match.resolution;
+  marker.scale.x = resolution;
+  marker.scale.y = resolution;
   marker.color = colour;
   marker.points.reserve(cells.size());
   for (const Eigen::Vector2d& p : cells) {
@@ -48,18 +48,17 @@ OverlayPublisher::OverlayPublisher(ros::NodeHandle node)
     : matched_(node.advertise<visualization_msgs::Marker>(ros_common::names::kMatchedCells, 1, true)),
       unmatched_(node.advertise<visualization_msgs::Marker>(ros_common::names::kUnmatchedCells, 1, true)) {}
 
-void OverlayPublisher::publish(const SessionMatch& match) {
-  frame_ = match.report.session_frame;
-  matched_.publish(marker(ros_common::names::kMatchedCells, match.cells.matched, match, colour(1.0F, 0.0F, 0.0F)));
+void OverlayPublisher::publish(const search::MatchedCells& cells, const std::string& frame, double resolution) {
+  frame_ = frame;
+  matched_.publish(
+      marker(ros_common::names::kMatchedCells, cells.matched, frame, resolution, colour(1.0F, 0.0F, 0.0F)));
   unmatched_.publish(
-      marker(ros_common::names::kUnmatchedCells, match.cells.unmatched, match, colour(0.1F, 0.4F, 1.0F)));
+      marker(ros_common::names::kUnmatchedCells, cells.unmatched, frame, resolution, colour(0.1F, 0.4F, 1.0F)));
 }
 
 void OverlayPublisher::clear() {
   if (!frame_.empty()) {
-    SessionMatch no_cells;
-    no_cells.report.session_frame = frame_;
-    publish(no_cells);
+    publish({}, frame_, 0.0);
   }
 }
 

@@ -13,22 +13,21 @@ namespace map_matcher::ros_matching {
 namespace {
 
 /// The map of a message. Throws MessageError when it cannot serve as a reference.
-ReferenceMapPtr referenceOf(const nav_msgs::OccupancyGrid& message, int occupied_threshold) {
-  auto map = std::make_shared<const ReferenceMap>(
-      ReferenceMap{ros_common::fromMessage(message), ros_common::frameOf(message.header)});
-  if (grid::occupiedCells(map->grid, static_cast<std::int8_t>(occupied_threshold)).empty()) {
-    throw ros_common::MessageError("the map has no occupied cell among its " +
-                                   std::to_string(map->grid.values().size()) + ", expected at least one of " +
-                                   std::to_string(occupied_threshold) + " percent or more");
+ReferenceMapPtr referenceOf(const nav_msgs::OccupancyGrid& message, const search::SearchOptions& options) {
+  grid::OccupancyGrid map = ros_common::fromMessage(message);
+  if (grid::occupiedCells(map, static_cast<std::int8_t>(options.occupied_threshold)).empty()) {
+    throw ros_common::MessageError("the map has no occupied cell among its " + std::to_string(map.values().size()) +
+                                   ", expected at least one of " + std::to_string(options.occupied_threshold) +
+                                   " percent or more");
   }
-  return map;
+  return std::make_shared<const ReferenceMap>(std::move(map), options, ros_common::frameOf(message.header));
 }
 
 }  // namespace
 
-ReferenceSource::ReferenceSource(ros::NodeHandle node, ros::NodeHandle private_node, int occupied_threshold,
-                                 Listener listener)
-    : occupied_threshold_(occupied_threshold),
+ReferenceSource::ReferenceSource(ros::NodeHandle node, ros::NodeHandle private_node,
+                                 const search::SearchOptions& options, Listener listener)
+    : options_(options),
       listener_(std::move(listener)),
       publisher_(private_node.advertise<nav_msgs::OccupancyGrid>(ros_common::names::kReferenceMap, 1, true)),
       subscriber_(node.subscribe(ros_common::names::kReferenceMap, 1, &ReferenceSource::onMap, this)) {}
@@ -59,9 +58,9 @@ void ReferenceSource::onMap(const nav_msgs::OccupancyGridConstPtr& message) {
 }
 
 void ReferenceSource::use(const nav_msgs::OccupancyGrid& message) {
-  const ReferenceMapPtr map = referenceOf(message, occupied_threshold_);
-  ROS_INFO_STREAM("reference map: " << map->grid.width() << " x " << map->grid.height() << " cells of "
-                                    << map->grid.resolution() << " m, frame \"" << map->frame << "\"");
+  const ReferenceMapPtr map = referenceOf(message, options_);
+  ROS_INFO_STREAM("reference map: " << map->map.grid().width() << " x " << map->map.grid().height() << " cells of "
+                                    << map->map.grid().resolution() << " m, frame \"" << map->frame << "\"");
   const std::lock_guard<std::mutex> lock(use_mutex_);
   publisher_.publish(message);
   listener_(map);

@@ -90,7 +90,7 @@ void CrowdSimulatorServer::advertise(ros::NodeHandle& node, const grid::Occupanc
   const DriveMessageOptions& names = messages_.options();
   clock_publisher_ = node.advertise<rosgraph_msgs::Clock>("/clock", kManyQueue);
   map_publisher_ = node.advertise<nav_msgs::OccupancyGrid>("true_map", 1, true);
-  map_publisher_.publish(toMessage(map, names.map_frame, clock_));
+  map_publisher_.publish(ros_common::toMessage(map, names.map_frame, clock_));
   const char* tf = DriveMessages::kTransformTopic;
   publishers_[tf] = node.advertise<tf2_msgs::TFMessage>(tf, kManyQueue);
   publishers_[names.odometry_topic] = node.advertise<nav_msgs::Odometry>(names.odometry_topic, kQueue);

@@ -45,7 +45,7 @@ class BagSessionMaps {
     ros_bags::forEachMessage(bag_, view, [this](const rosbag::MessageInstance& message) {
       ++result_.maps;
       try {
-        match(*readMessage<nav_msgs::OccupancyGrid>(request_.bag, message));
+        match(*ros_bags::readMessage<nav_msgs::OccupancyGrid>(request_.bag, message));
       } catch (const ros_common::MessageError& error) {
         leaveOut(error.what());
       } catch (const tf2::TransformException& error) {

@@ -33,7 +33,7 @@ BagTruth::BagTruth(const rosbag::Bag& bag, const std::string& path, const BagTru
   std::string frame;
   rosbag::View view(bag, rosbag::TopicQuery(topic));
   ros_bags::forEachMessage(bag, view, [&](const rosbag::MessageInstance& message) {
-    const auto pose = readMessage<geometry_msgs::PoseStamped>(path, message);
+    const auto pose = ros_bags::readMessage<geometry_msgs::PoseStamped>(path, message);
     const std::string this_frame = ros_common::frameName(pose->header.frame_id);
     checkFrame(this_frame, topic, request);
     if (!poses_.empty() && this_frame != frame) {

@@ -5,7 +5,6 @@
 #include <optional>
 #include <vector>
 
-#include "map_matcher/search/acceptance.hpp"
 #include "map_matcher/search/exact/exact_search.hpp"
 #include "map_matcher/search/refinement/pose_refiner.hpp"
 #include "map_matcher/search/search_frames.hpp"
@@ -20,21 +19,12 @@ constexpr int kMostClimbs = 20;
 /// Rotations looked at on either side of a pose before the exact search.
 constexpr int kClimbedRotations = 2;
 
-const char* const kStoppedReason = "the search was stopped before its proof was complete";
-
-bool searched(const MatchResult& answer) {
-  return answer.status == MatchStatus::kMatched || answer.status == MatchStatus::kBelowAcceptanceRatio ||
-         answer.status == MatchStatus::kNotCertified;
-}
-
-/// An answer that nothing is proven about.
-MatchResult outOfTime(const MatchResult& answer, const MatchOptions& options, const work::Deadline& deadline) {
-  MatchResult result = answer;
-  result.upper_bound = 1.0;
-  const Verdict verdict = judge(result, options);
-  result.status = deadline.stopped() ? MatchStatus::kStopped : verdict.status;
-  result.reason = deadline.stopped() ? kStoppedReason : verdict.reason;
-  return result;
+/// Takes the search for one that was given up before its proof.
+void endEarly(SearchResult& result, const work::Deadline& deadline) {
+  result.ending = deadline.stopped() ? SearchEnding::kStopped : SearchEnding::kOutOfTime;
+  if (deadline.stopped()) {
+    result.reason = "the search was stopped before its proof was complete";
+  }
 }
 
 /// A row of the rotations of a full turn.
@@ -45,11 +35,11 @@ struct RotationRange {
 
 class Certification {
  public:
-  Certification(const SearchReference& reference, const SearchSession& session, const MatchOptions& options,
-                const MatchPrior& prior, const work::Deadline& deadline)
+  Certification(const SearchReference& reference, const SearchSession& session, const SearchOptions& options,
+                const Demand& demand, const Constraints& constraints, const work::Deadline& deadline)
       : reference_(reference),
         options_(options),
-        prior_(prior),
+        constraints_(constraints),
         deadline_(deadline),
         frames_(reference.T_reference_grid(), session.T_session_grid),
         cells_(session.fine),
@@ -60,16 +50,16 @@ class Certification {
         problem_{reference.exact(), rotations_} {
     const int n = rotations_.numCells();
     problem_.windows = priorWindows();
-    problem_.min_count = minCount(smallestHitRatio(options), n);
+    problem_.min_count = minCount(demand.min_hit_ratio, n);
     problem_.distinction = {options.distinct_distance / cells_.resolution, options.distinct_angle};
-    problem_.runner_up_gap = static_cast<int>(std::ceil(options.min_margin * n));
+    problem_.runner_up_gap = static_cast<int>(std::ceil(demand.margin * n));
   }
 
-  MatchResult run(const MatchResult& answer) {
+  SearchResult run(const SearchResult& answer) {
     result_ = answer;
     result_.total_cells = rotations_.numCells();
     std::optional<SearchPose> start;
-    if (answer.matched()) {
+    if (answer.found) {
       start = climbFrom(frames_.centrePose(answer.T_reference_session, cells_.centre));
     }
     problem_.known_count = start ? start->count : 0;
@@ -84,11 +74,11 @@ class Certification {
   /// The rotations that the heading prior allows, all of them without one.
   RotationRange allowedRotations() const {
     const int all = static_cast<int>(std::lround(2.0 * M_PI / step_));
-    if (!prior_.heading || !(prior_.heading->half_width < M_PI)) {
+    if (!constraints_.heading || !(constraints_.heading->half_width < M_PI)) {
       return {0, all};
     }
-    const double middle = frames_.angleAt(grid::normalizeAngle(prior_.heading->yaw));
-    const double half_width = std::max(0.0, prior_.heading->half_width);
+    const double middle = frames_.angleAt(grid::normalizeAngle(constraints_.heading->yaw));
+    const double half_width = std::max(0.0, constraints_.heading->half_width);
     const int first = static_cast<int>(std::ceil((middle - half_width) / step_));
     const int last = static_cast<int>(std::floor((middle + half_width) / step_));
     if (last < first) {  // a prior narrower than a step: the rotation nearest to it
@@ -99,8 +89,8 @@ class Certification {
 
   std::vector<SearchWindow> priorWindows() const {
     std::vector<SearchWindow> windows;
-    for (int n = 0; prior_.window && n < rotations_.count(); ++n) {
-      windows.push_back(frames_.window(prior_.window, cells_.centre, cells_.resolution, rotations_.angle(n)));
+    for (int n = 0; constraints_.window && n < rotations_.count(); ++n) {
+      windows.push_back(frames_.window(constraints_.window, cells_.centre, cells_.resolution, rotations_.angle(n)));
     }
     return windows;
   }
@@ -183,6 +173,7 @@ class Certification {
     result_.runner_up_proven = outcome.runner_up_proven;
     result_.upper_bound = ratio(outcome.upper_bound);
     const std::optional<SearchPose>& best = outcome.best ? outcome.best : start;
+    result_.found = best.has_value();
     if (best) {
       result_.replaced = !start || elsewhere(*start, *best);
       place(*best);
@@ -192,34 +183,12 @@ class Certification {
     if (outcome.runner_up) {
       result_.runner_up = RunnerUp{mapPose(*outcome.runner_up), ratio(outcome.runner_up->count)};
     }
-    if (outcome.stopped) {
-      result_.status = MatchStatus::kStopped;
-      result_.reason = kStoppedReason;
-      return;
+    if (!outcome.best_proven || !outcome.runner_up_proven) {
+      endEarly(result_, deadline_);
     }
-    const Verdict verdict = judge(result_, options_, best ? standingOf(*best) : Standing::kFirst);
-    result_.status = verdict.status;
-    result_.reason = verdict.reason;
-    if (result_.matched()) {
+    if (best && outcome.best_proven) {
       refinePose(*best);
     }
-  }
-
-  Standing standingOf(const SearchPose& pose) const {
-    if (!prior_.alignment) {
-      return Standing::kFirst;
-    }
-    if (agrees(pose, *prior_.alignment)) {
-      return Standing::kAgrees;
-    }
-    return prior_.contender && agrees(pose, *prior_.contender) ? Standing::kConfirms : Standing::kContradicts;
-  }
-
-  bool agrees(const SearchPose& pose, const grid::Rigid2& T_reference_session) const {
-    const CentrePose here = centrePose(pose);
-    const CentrePose before = frames_.centrePose(T_reference_session, cells_.centre);
-    return (here.position - before.position).norm() <= options_.distinct_distance &&
-           std::abs(grid::normalizeAngle(here.angle - before.angle)) <= options_.distinct_angle;
   }
 
   /// Takes a pose as the answer.
@@ -271,8 +240,8 @@ class Certification {
 
   work::Stopwatch watch_;
   const SearchReference& reference_;
-  const MatchOptions& options_;
-  const MatchPrior& prior_;
+  const SearchOptions& options_;
+  const Constraints& constraints_;
   const work::Deadline& deadline_;
   SearchFrames frames_;
   const SessionCells& cells_;
@@ -280,23 +249,27 @@ class Certification {
   RotationRange range_;
   RotationBlocks rotations_;
   ExactProblem problem_;
-  MatchResult result_;
+  SearchResult result_;
 };
 
 }  // namespace
 
-MatchResult certify(const MatchResult& answer, const SearchReference& reference, const SearchSession& session,
-                    const MatchOptions& options, const MatchPrior& prior, const work::Deadline& deadline) {
-  if (!searched(answer)) {
-    return answer;
+SearchResult certify(const SearchResult& answer, const SearchReference& reference, const SearchSession& session,
+                     const SearchOptions& options, const Demand& demand, const Constraints& constraints,
+                     const work::Deadline& deadline) {
+  SearchResult result = answer;
+  result.exact = true;
+  if (!answer.ended()) {
+    return result;
   }
-  if (deadline.passed()) {
-    return outOfTime(answer, options, deadline);
-  }
+  result.ending = SearchEnding::kSearched;
+  result.session_centre = session.T_session_grid * session.fine.centre;
   try {
-    return Certification(reference, session, options, prior, deadline).run(answer);
+    deadline.throwIfPassed();
+    return Certification(reference, session, options, demand, constraints, deadline).run(result);
   } catch (const work::DeadlinePassed&) {
-    return outOfTime(answer, options, deadline);
+    endEarly(result, deadline);
+    return result;
   }
 }
 

@@ -65,16 +65,16 @@ CentrePose poseOf(const Stage& stage) {
 /// The search of one session map in one reference map.
 class TwoStageSearch {
  public:
-  TwoStageSearch(const SearchReference& reference, const SearchSession& session, const MatchOptions& options,
-                 const MatchPrior& prior, const work::Deadline& deadline)
+  TwoStageSearch(const SearchReference& reference, const SearchSession& session, const SearchOptions& options,
+                 const Constraints& constraints, const work::Deadline& deadline)
       : reference_(reference),
         session_(session),
         frames_(reference.T_reference_grid(), session.T_session_grid),
         options_(options),
-        prior_(prior),
+        constraints_(constraints),
         deadline_(deadline) {}
 
-  MatchResult run() {
+  SearchResult run() {
     if (!checkInput()) {
       return result_;
     }
@@ -100,19 +100,19 @@ class TwoStageSearch {
   bool checkInput() {
     std::ostringstream reason;
     if (!reference_.hasWalls()) {
-      setStatus(MatchStatus::kEmptyReference, "the reference map has no occupied cell");
+      end(SearchEnding::kEmptyReference, "the reference map has no occupied cell");
       return false;
     }
     if (session_.cells.empty() || static_cast<int>(session_.cells.size()) < options_.min_session_cells) {
       reason << "the session map has " << session_.cells.size()
              << " occupied cells, expected at least min_session_cells = " << std::max(1, options_.min_session_cells);
-      setStatus(MatchStatus::kTooFewSessionCells, reason.str());
+      end(SearchEnding::kTooFewSessionCells, reason.str());
       return false;
     }
     if (session_.fine.diagonal > kMaxSessionDiagonal) {
       reason << "the occupied cells of the session map span " << session_.fine.diagonal << " cells, expected at most "
              << kMaxSessionDiagonal;
-      setStatus(MatchStatus::kSessionTooLarge, reason.str());
+      end(SearchEnding::kSessionTooLarge, reason.str());
       return false;
     }
     return true;
@@ -131,10 +131,10 @@ class TwoStageSearch {
     applyHeadingPrior(stage);
     for (const double angle : stage.angles) {
       stage.problem.windows.push_back(
-          frames_.window(prior_.window, stage.session.centre, stage.session.resolution, angle));
+          frames_.window(constraints_.window, stage.session.centre, stage.session.resolution, angle));
     }
     stage.problem.bands = rotationBands(stage.session, stage.angles);
-    if (prior_.heading) {
+    if (constraints_.heading) {
       putNearestFirst(stage.problem.bands);
     } else {
       putPromisingFirst(stage.problem, stage.session, kScoutCells, deadline_);
@@ -188,13 +188,14 @@ class TwoStageSearch {
 
   /// Leaves out the rotations that the prior excludes and ranks the others, nearest heading first.
   void applyHeadingPrior(Stage& stage) const {
-    if (!prior_.heading) {
+    if (!constraints_.heading) {
       return;
     }
     std::vector<double>& angles = stage.angles;
-    angles.erase(std::remove_if(angles.begin(), angles.end(),
-                                [this](double angle) { return headingError(angle) > prior_.heading->half_width; }),
-                 angles.end());
+    angles.erase(
+        std::remove_if(angles.begin(), angles.end(),
+                       [this](double angle) { return headingError(angle) > constraints_.heading->half_width; }),
+        angles.end());
     std::stable_sort(angles.begin(), angles.end(),
                      [this](double a, double b) { return headingError(a) < headingError(b); });
     stage.problem.order.resize(angles.size());
@@ -210,13 +211,13 @@ class TwoStageSearch {
               [&](const RotationBand& a, const RotationBand& b) { return nearest(a) < nearest(b); });
   }
 
-  double headingError(double angle) const { return frames_.headingError(*prior_.heading, angle); }
+  double headingError(double angle) const { return frames_.headingError(*constraints_.heading, angle); }
 
   void stopped(const Stage& stage) {
     if (deadline_.stopped()) {
-      setStatus(MatchStatus::kStopped, "the search was stopped in its " + stage.report.name + " stage");
+      end(SearchEnding::kStopped, "the search was stopped in its " + stage.report.name + " stage");
     } else {
-      setStatus(MatchStatus::kNotCertified, "the time was over in the " + stage.report.name + " stage");
+      end(SearchEnding::kOutOfTime, "the time was over in the " + stage.report.name + " stage");
     }
   }
 
@@ -228,7 +229,7 @@ class TwoStageSearch {
     std::ostringstream reason;
     reason << "no pose puts " << options_.coarse.acceptance_ratio << " of the " << coarse.report.total_cells
            << " session cells of " << coarse.report.resolution << " m on walls of the reference map";
-    setStatus(MatchStatus::kBelowAcceptanceRatio, reason.str());
+    end(SearchEnding::kSearched, reason.str());
   }
 
   void answer(const Stage& stage, bool refined) {
@@ -248,21 +249,22 @@ class TwoStageSearch {
       reason << "; the fine stage found no pose with " << options_.fine.acceptance_ratio
              << " of them, so the coarse answer stands";
     }
-    setStatus(MatchStatus::kMatched, reason.str());
+    result_.found = true;
+    end(SearchEnding::kSearched, reason.str());
   }
 
-  void setStatus(MatchStatus status, const std::string& reason) {
-    result_.status = status;
+  void end(SearchEnding ending, const std::string& reason) {
+    result_.ending = ending;
     result_.reason = reason;
   }
 
   const SearchReference& reference_;
   const SearchSession& session_;
   SearchFrames frames_;
-  const MatchOptions& options_;
-  const MatchPrior& prior_;
+  const SearchOptions& options_;
+  const Constraints& constraints_;
   const work::Deadline& deadline_;
-  MatchResult result_;
+  SearchResult result_;
 };
 
 }  // namespace
@@ -272,9 +274,10 @@ FineWindow fineWindow(double cells_per_coarse_cell, double coarse_rotation_downs
   return {static_cast<int>(std::ceil(coarse_cells * cells_per_coarse_cell)), coarse_rotation_step};
 }
 
-MatchResult twoStageSearch(const SearchReference& reference, const SearchSession& session, const MatchOptions& options,
-                           const MatchPrior& prior, const work::Deadline& deadline) {
-  return TwoStageSearch(reference, session, options, prior, deadline).run();
+SearchResult twoStageSearch(const SearchReference& reference, const SearchSession& session,
+                            const SearchOptions& options, const Constraints& constraints,
+                            const work::Deadline& deadline) {
+  return TwoStageSearch(reference, session, options, constraints, deadline).run();
 }
 
 }  // namespace map_matcher::search

@@ -181,7 +181,7 @@ TEST(GridMessage, IsRefusedWithABadResolution) {
     nav_msgs::OccupancyGrid message = goodMessage();
     message.info.resolution = resolution;
 
-    expectNames(refusalOf(message), {"resolution is 1e", "expected", "0.001 to 10"});
+    expectNames(refusalOf(message), {"resolution is 1", "expected", "0.001 to 10"});
   }
 }
 

@@ -28,27 +28,29 @@ search::StageReport stage(const std::string& name, bool answered, double resolut
   return report;
 }
 
-search::MatchResult matchedResult() {
-  search::MatchResult result;
-  result.status = search::MatchStatus::kMatched;
+belief::Answer matchedResult() {
+  belief::Answer result;
+  result.status = belief::MatchStatus::kMatched;
   result.reason = "80 of 100 cells";
-  result.T_reference_session = {1.0, -2.0, M_PI / 2.0};
-  result.covariance << 1.0, 0.1, 0.2, 0.1, 2.0, 0.3, 0.2, 0.3, 3.0;
-  result.refined = true;
-  result.matched_cells = 80;
-  result.total_cells = 100;
-  result.ratio = 0.8;
-  result.certified = true;
-  result.replaced = true;
-  result.hit_cells = 90;
-  result.hit_ratio = 0.9;
-  result.upper_bound = 0.95;
-  result.runner_up = search::RunnerUp{{3.0, 4.0, 0.5}, 0.7};
-  result.margin = 0.2;
-  result.nearby = {200, 0.75, 90, 0.5};
-  result.stages = {stage("coarse", true, 0.2, 0.02), stage("fine", true, 0.05, 0.004)};
-  result.search_time = 0.6;
-  result.reference_time = 0.7;
+  result.search.T_reference_session = {1.0, -2.0, M_PI / 2.0};
+  result.search.covariance << 1.0, 0.1, 0.2, 0.1, 2.0, 0.3, 0.2, 0.3, 3.0;
+  result.search.refined = true;
+  result.search.matched_cells = 80;
+  result.search.total_cells = 100;
+  result.search.ratio = 0.8;
+  result.search.certified = true;
+  result.search.replaced = true;
+  result.search.hit_cells = 90;
+  result.search.hit_ratio = 0.9;
+  result.search.upper_bound = 0.95;
+  result.search.runner_up = search::RunnerUp{{3.0, 4.0, 0.5}, 0.7};
+  result.search.margin = 0.2;
+  result.nearby = {200, 10.0, 0.75, 90, 4.5, 0.5};
+  result.evidence = {{"margin", 0.2, 0.1, belief::Bearing::kFor, belief::MatchStatus::kAmbiguous, "far ahead"},
+                     {"proof", 0.05, 0.0, belief::Bearing::kAgainst, belief::MatchStatus::kNotCertified, "not proven"}};
+  result.search.stages = {stage("coarse", true, 0.2, 0.02), stage("fine", true, 0.05, 0.004)};
+  result.search.search_time = 0.6;
+  result.search.reference_time = 0.7;
   return result;
 }
 
@@ -58,6 +60,13 @@ TEST(MatchMessages, CarryEverythingOfAResult) {
   EXPECT_EQ(message.status, MapMatch::MATCHED);
   EXPECT_EQ(message.status_text, "matched");
   EXPECT_EQ(message.reason, "80 of 100 cells");
+  ASSERT_EQ(message.evidence.size(), 2U);
+  EXPECT_EQ(message.evidence[0].name, "margin");
+  EXPECT_EQ(message.evidence[0].value, 0.2);
+  EXPECT_EQ(message.evidence[0].limit, 0.1);
+  EXPECT_EQ(message.evidence[0].bearing, Evidence::FOR);
+  EXPECT_EQ(message.evidence[0].text, "far ahead");
+  EXPECT_EQ(message.evidence[1].bearing, Evidence::AGAINST);
   EXPECT_EQ(message.x, 1.0);
   EXPECT_EQ(message.y, -2.0);
   EXPECT_EQ(message.yaw, M_PI / 2.0);
@@ -105,8 +114,8 @@ TEST(MatchMessages, CarryEverythingOfAResult) {
 }
 
 TEST(MatchMessages, HaveTheIdentityWhenNothingMatched) {
-  search::MatchResult result = matchedResult();
-  result.status = search::MatchStatus::kBelowAcceptanceRatio;
+  belief::Answer result = matchedResult();
+  result.status = belief::MatchStatus::kBelowAcceptanceRatio;
 
   const MapMatch message = toMessage(result);
 
@@ -118,21 +127,21 @@ TEST(MatchMessages, HaveTheIdentityWhenNothingMatched) {
 }
 
 TEST(MatchMessages, NameEachStatusAsTheSearchDoes) {
-  const std::vector<std::pair<search::MatchStatus, std::uint8_t>> statuses{
-      {search::MatchStatus::kMatched, MapMatch::MATCHED},
-      {search::MatchStatus::kBelowAcceptanceRatio, MapMatch::BELOW_ACCEPTANCE_RATIO},
-      {search::MatchStatus::kNoReference, MapMatch::NO_REFERENCE},
-      {search::MatchStatus::kEmptyReference, MapMatch::EMPTY_REFERENCE},
-      {search::MatchStatus::kTooFewSessionCells, MapMatch::TOO_FEW_SESSION_CELLS},
-      {search::MatchStatus::kSessionTooLarge, MapMatch::SESSION_TOO_LARGE},
-      {search::MatchStatus::kStopped, MapMatch::STOPPED},
-      {search::MatchStatus::kNotCertified, MapMatch::NOT_CERTIFIED},
-      {search::MatchStatus::kAmbiguous, MapMatch::AMBIGUOUS},
-      {search::MatchStatus::kUnconfirmed, MapMatch::UNCONFIRMED},
-      {search::MatchStatus::kRobotLost, MapMatch::ROBOT_LOST},
+  const std::vector<std::pair<belief::MatchStatus, std::uint8_t>> statuses{
+      {belief::MatchStatus::kMatched, MapMatch::MATCHED},
+      {belief::MatchStatus::kBelowAcceptanceRatio, MapMatch::BELOW_ACCEPTANCE_RATIO},
+      {belief::MatchStatus::kNoReference, MapMatch::NO_REFERENCE},
+      {belief::MatchStatus::kEmptyReference, MapMatch::EMPTY_REFERENCE},
+      {belief::MatchStatus::kTooFewSessionCells, MapMatch::TOO_FEW_SESSION_CELLS},
+      {belief::MatchStatus::kSessionTooLarge, MapMatch::SESSION_TOO_LARGE},
+      {belief::MatchStatus::kStopped, MapMatch::STOPPED},
+      {belief::MatchStatus::kNotCertified, MapMatch::NOT_CERTIFIED},
+      {belief::MatchStatus::kAmbiguous, MapMatch::AMBIGUOUS},
+      {belief::MatchStatus::kUnconfirmed, MapMatch::UNCONFIRMED},
+      {belief::MatchStatus::kRobotLost, MapMatch::ROBOT_LOST},
   };
   for (const auto& [status, constant] : statuses) {
-    search::MatchResult result;
+    belief::Answer result;
     result.status = status;
     EXPECT_EQ(toMessage(result).status, constant);
     EXPECT_EQ(toMessage(result).status_text, toString(status));
@@ -140,8 +149,8 @@ TEST(MatchMessages, NameEachStatusAsTheSearchDoes) {
 }
 
 TEST(MatchMessages, PlaceTheRobotWithTheUncertaintyOfTheMatch) {
-  search::MatchResult result = matchedResult();
-  result.covariance = Eigen::Vector3d(0.01, 0.02, 0.001).asDiagonal();
+  belief::Answer result = matchedResult();
+  result.search.covariance = Eigen::Vector3d(0.01, 0.02, 0.001).asDiagonal();
 
   const auto pose = robotPose(toMessage(result), {3.0, 0.5, -M_PI / 2.0});
 

@@ -9,26 +9,26 @@ namespace map_matcher::ros_matching {
 namespace {
 
 TEST(MatchToReferenceRequest, LeftAtZeroUsesTheNodesOptionsAndNoPrior) {
-  search::MatchOptions node;
-  node.coarse = {3.0, 0.4};
-  node.hits_sample_threshold = 500;
+  belief::MatchOptions node;
+  node.search.coarse = {3.0, 0.4};
+  node.search.hits_sample_threshold = 500;
 
-  const search::MatchOptions options = optionsOf({}, node);
+  const belief::MatchOptions options = optionsOf({}, node);
 
-  EXPECT_EQ(options.coarse.rotation_downsampling, 3.0);
-  EXPECT_EQ(options.coarse.acceptance_ratio, 0.4);
-  EXPECT_EQ(options.hits_sample_threshold, 500);
-  EXPECT_FALSE(priorOf({}).heading);
-  EXPECT_FALSE(priorOf({}).window);
+  EXPECT_EQ(options.search.coarse.rotation_downsampling, 3.0);
+  EXPECT_EQ(options.search.coarse.acceptance_ratio, 0.4);
+  EXPECT_EQ(options.search.hits_sample_threshold, 500);
+  EXPECT_FALSE(constraintsOf({}).heading);
+  EXPECT_FALSE(constraintsOf({}).window);
 }
 
 TEST(MatchToReferenceRequest, LooksAtAllSessionCellsWhenAskedForMinusOne) {
-  search::MatchOptions node;
-  node.hits_sample_threshold = 500;
+  belief::MatchOptions node;
+  node.search.hits_sample_threshold = 500;
   MatchToReference::Request request;
   request.hits_sample_threshold = -1;
 
-  EXPECT_EQ(optionsOf(request, node).hits_sample_threshold, 0);
+  EXPECT_EQ(optionsOf(request, node).search.hits_sample_threshold, 0);
 }
 
 TEST(MatchToReferenceRequest, TurnsAnUnlimitedHeadingPriorIntoAnOrder) {
@@ -36,7 +36,7 @@ TEST(MatchToReferenceRequest, TurnsAnUnlimitedHeadingPriorIntoAnOrder) {
   request.use_heading_prior = true;
   request.heading = 1.5;
 
-  const search::MatchPrior prior = priorOf(request);
+  const search::Constraints prior = constraintsOf(request);
 
   ASSERT_TRUE(prior.heading);
   EXPECT_EQ(prior.heading->yaw, 1.5);
@@ -49,7 +49,7 @@ TEST(MatchToReferenceRequest, RefusesAWindowOfNegativeSize) {
   request.window_half_size_y = -0.5;
 
   try {
-    priorOf(request);
+    constraintsOf(request);
     FAIL() << "no exception";
   } catch (const std::invalid_argument& error) {
     EXPECT_STREQ(error.what(), "window_half_size_y is -0.5, expected at least 0 m");

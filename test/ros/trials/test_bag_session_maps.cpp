@@ -52,7 +52,8 @@ class RecordedSessionMaps : public testing::Test {
     std::vector<ros_mapping::SessionSnapshot> snapshots;
     mapBag(mapping, [&snapshots](const ros_mapping::SessionSnapshot& snapshot) { snapshots.push_back(snapshot); });
     for (const ros_mapping::SessionSnapshot& snapshot : snapshots) {
-      record(snapshot.stamp, snapshot.T_session_odom, toMessage(snapshot.map, "session_map", snapshot.stamp));
+      record(snapshot.stamp, snapshot.T_session_odom,
+             ros_common::toMessage(snapshot.map, "session_map", snapshot.stamp));
     }
   }
 
@@ -96,15 +97,17 @@ TEST_F(RecordedSessionMaps, AreMatchedAsThoseThatATrialDraws) {
   EXPECT_EQ(result.maps_left_out, 0) << result.last_problem;
   ASSERT_GE(result.maps, static_cast<int>(drawn.size()));
   ASSERT_GE(drawn.size(), 4U);
-  ASSERT_TRUE(drawn.back().result.matched()) << drawn.back().result.reason;
+  ASSERT_TRUE(drawn.back().answer.matched()) << drawn.back().answer.reason;
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     const trials::TrialQuery& recorded = matching.queries()[i];
     EXPECT_NEAR(recorded.time, drawn[i].time, 1e-6);
     EXPECT_NEAR(recorded.session_age, drawn[i].session_age, 1e-6);
     EXPECT_NEAR(recorded.travelled, drawn[i].travelled, 1e-6);
-    EXPECT_EQ(recorded.result.status, drawn[i].result.status);
-    EXPECT_LT(evaluation::errorOf(recorded.result.T_reference_session, drawn[i].result.T_reference_session).translation,
-              1e-6);
+    EXPECT_EQ(recorded.answer.status, drawn[i].answer.status);
+    EXPECT_LT(
+        evaluation::errorOf(recorded.answer.search.T_reference_session, drawn[i].answer.search.T_reference_session)
+            .translation,
+        1e-6);
     EXPECT_LT(evaluation::errorOf(recorded.T_session_base, drawn[i].T_session_base).translation, 1e-6);
     EXPECT_LT(evaluation::errorOf(*recorded.true_alignment, *drawn[i].true_alignment).translation, 1e-6);
     EXPECT_EQ(recorded.falsely_occupied, drawn[i].falsely_occupied);
@@ -124,10 +127,10 @@ TEST_F(RecordedSessionMaps, NeedNoTruth) {
 
 TEST_F(RecordedSessionMaps, ThatCannotBeUsedAreCounted) {
   recordMaps();
-  nav_msgs::OccupancyGrid broken = toMessage(office(), "session_map", ros::Time(1005.0));
+  nav_msgs::OccupancyGrid broken = ros_common::toMessage(office(), "session_map", ros::Time(1005.0));
   broken.info.resolution = 0.0;
   record(ros::Time(1005.0), {}, broken);
-  record(ros::Time(3000.0), {}, toMessage(office(), "session_map", ros::Time(3000.0)));  // no odometry
+  record(ros::Time(3000.0), {}, ros_common::toMessage(office(), "session_map", ros::Time(3000.0)));  // no odometry
 
   const BagSessionMapsResult result = match();
 
@@ -138,7 +141,7 @@ TEST_F(RecordedSessionMaps, ThatCannotBeUsedAreCounted) {
 
 TEST_F(RecordedSessionMaps, WithoutTransformsAreAnError) {
   rosbag::Bag bag(request.bag, rosbag::bagmode::Append);
-  bag.write("/map", ros::Time(1001.0), toMessage(office(), "session_map", ros::Time(1001.0)));
+  bag.write("/map", ros::Time(1001.0), ros_common::toMessage(office(), "session_map", ros::Time(1001.0)));
   bag.close();
 
   EXPECT_THAT(errorText(), AllOf(HasSubstr("none of the 1 maps of /map could be used"), HasSubstr("session_map")));

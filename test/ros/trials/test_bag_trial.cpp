@@ -220,8 +220,8 @@ int numDifferent(const std::vector<scan::PlanarScan>& a, const std::vector<scan:
 std::string tableWithoutTimes(const trials::Trial& trial) {
   std::vector<trials::TrialQuery> queries = trial.matching().queries();
   for (trials::TrialQuery& query : queries) {
-    query.result.search_time = 0.0;
-    for (search::StageReport& stage : query.result.stages) {
+    query.answer.search.search_time = 0.0;
+    for (search::StageReport& stage : query.answer.search.stages) {
       stage.initialization_time = 0.0;
       stage.rotation_expansion_time = 0.0;
       stage.depth_first_search_time = 0.0;

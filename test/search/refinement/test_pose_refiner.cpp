@@ -69,8 +69,7 @@ DistanceField fieldOf(const std::vector<Segment>& segments) {
 
 /// A reference map, a noisy session map of it, and the session's true place.
 struct Drive {
-  simulation::Drive(std::mt19937& random, const std::vector<Segment>& segments, double sigma)
-      : reference(fieldOf(segments)) {
+  Drive(std::mt19937& random, const std::vector<Segment>& segments, double sigma) : reference(fieldOf(segments)) {
     const grid::Rigid2 T_grids{test::randomReal(random, -3.0, 3.0), test::randomReal(random, -3.0, 3.0),
                                test::randomReal(random, -3.0, 3.0)};
     std::vector<Eigen::Vector2d> points;
@@ -110,7 +109,7 @@ Consistency consistencyOf(std::mt19937& random, bool turned) {
   Consistency sums;
   for (int drive = 0; drive < kDrives; ++drive) {
     SCOPED_TRACE("drive " + std::to_string(drive));
-    const simulation::Drive scene(random, rooms(random, turned ? test::randomReal(random, 0.0, 3.0) : 0.0), 0.02);
+    const Drive scene(random, rooms(random, turned ? test::randomReal(random, 0.0, 3.0) : 0.0), 0.02);
     const RefinedPose refined = refine(scene.reference, scene.session, scene.searched(random), 0.05);
     EXPECT_TRUE(refined.converged);
     const Eigen::Vector3d error = scene.error(refined.pose);
@@ -147,10 +146,10 @@ TEST(PoseRefiner, IsSureAcrossACorridorButNotAlongIt) {
     const Eigen::Vector2d along(std::cos(heading), std::sin(heading));
     const Eigen::Vector2d across(-along.y(), along.x());
     const Eigen::Vector2d middle(8.0, 8.0);
-    simulation::Drive scene(random,
-                            {{middle + across - 3.0 * along, middle + across + 3.0 * along},
-                             {middle - across - 3.0 * along, middle - across + 3.0 * along}},
-                            0.02);
+    Drive scene(random,
+                {{middle + across - 3.0 * along, middle + across + 3.0 * along},
+                 {middle - across - 3.0 * along, middle - across + 3.0 * along}},
+                0.02);
     const std::vector<Segment> corridor{{middle + across - 6.0 * along, middle + across + 6.0 * along},
                                         {middle - across - 6.0 * along, middle - across + 6.0 * along}};
     scene.reference = fieldOf(corridor);
@@ -167,7 +166,7 @@ TEST(PoseRefiner, IsSureAcrossACorridorButNotAlongIt) {
 
 TEST(PoseRefiner, LeavesAPoseFarFromAllWallsAsItIs) {
   std::mt19937 random(3);
-  const simulation::Drive scene(random, rooms(random, 0.5), 0.02);
+  const Drive scene(random, rooms(random, 0.5), 0.02);
   const CentrePose far{0.3, {-500.0, 20.0}};
 
   const RefinedPose refined = refine(scene.reference, scene.session, far, 0.05);

@@ -66,13 +66,13 @@ TEST(TwoStageSearch, FineStageIsAsGoodAsASearchOfAMuchLargerWindow) {
     const grid::OccupancyGrid map = test::randomBuilding(random, 16.0, 10.0, 0.05);
     const grid::Rigid2 truth{1.0, 2.0, test::randomReal(random, -3.0, 3.0)};
     const grid::OccupancyGrid session = test::cutSession(map, {8.0, 5.0}, 6.0, truth, 0.05);
-    const MatchOptions options;
+    const SearchOptions options;
     const SearchReference reference(map, 0.05, options);
 
-    const MatchResult result = twoStageSearch(reference, searchSession(session, reference.resolution(), options),
-                                              options, {}, work::Deadline());
+    const SearchResult result = twoStageSearch(reference, searchSession(session, reference.resolution(), options),
+                                               options, {}, work::Deadline());
 
-    ASSERT_TRUE(result.matched());
+    ASSERT_TRUE(result.found);
     // All translations of the whole map, within three coarse steps of the answer's rotation.
     const SessionCells cells = prepareSessionCells(grid::occupiedCells(session), 0.05, 0.05, CellMerging::kNone, 0);
     SearchProblem problem{reference.fine(), {}, {}, {}, 1, SearchReference::kFineRootLevel};

@@ -31,15 +31,15 @@ grid::Rigid2 fromMessage(const geometry_msgs::Transform& transform, const std::s
 geometry_msgs::Pose toPoseMessage(const grid::Rigid2& pose);
 geometry_msgs::Transform toTransformMessage(const grid::Rigid2& transform);
 
-/// The grid of a message. Throws MessageError for a resolution that is not positive and finite, no cells, a number of
-/// values other than width x height, a value outside [-1, 100], or a bad origin. nav_msgs stores the resolution in 32
-/// bits: it is rounded to seven decimal digits, so that 0.05f is 0.05 again.
+/// The grid of a message. Throws MessageError for one that does not keep to the limits of map_limits.hpp, a number
+/// of values other than width x height, a value outside [-1, 100], or a bad origin. nav_msgs stores the resolution in
+/// 32 bits: it is rounded to seven decimal digits, so that 0.05f is 0.05 again.
 grid::OccupancyGrid fromMessage(const nav_msgs::OccupancyGrid& message);
 
 /// A frame's name without the leading slash that older nodes write and tf2 refuses.
 std::string frameName(const std::string& frame_id);
 
-/// The frame of a message, by frameName(). Throws MessageError when it is empty.
+/// The frame of a message, by frameName(). Throws MessageError when it is empty or has blanks or line breaks.
 std::string frameOf(const std_msgs::Header& header);
 
 nav_msgs::OccupancyGrid toMessage(const grid::OccupancyGrid& grid, const std::string& frame_id, const ros::Time& stamp);

@@ -2,6 +2,7 @@
 /// The map_matcher node: session maps in, their alignment with the reference map out.
 #pragma once
 
+#include <ros/message_event.h>
 #include <ros/node_handle.h>
 #include <tf2_ros/buffer.h>
 #include <tf2_ros/transform_listener.h>
@@ -14,7 +15,7 @@
 #include <optional>
 #include <string>
 
-#include "map_matcher/belief/session_memory.hpp"
+#include "map_matcher/belief/session_tracker.hpp"
 #include "map_matcher/ros/common/rising_clock.hpp"
 #include "map_matcher/ros/matching/alignment_broadcaster.hpp"
 #include "map_matcher/ros/matching/map_matcher_server_options.hpp"
@@ -22,28 +23,29 @@
 #include "map_matcher/ros/matching/match_pose_publisher.hpp"
 #include "map_matcher/ros/matching/match_services.hpp"
 #include "map_matcher/ros/matching/overlay_publisher.hpp"
-#include "map_matcher/ros/matching/reference_matcher.hpp"
 #include "map_matcher/ros/matching/reference_source.hpp"
 #include "map_matcher/ros/matching/robot_pose_source.hpp"
+#include "map_matcher/ros/matching/session_map.hpp"
+#include "map_matcher/search/map_matcher.hpp"
 #include "map_matcher/work/latest_job_worker.hpp"
 
 namespace map_matcher::ros_matching {
 
 /// Matches every session map to the reference map on a worker thread, the newest first, and publishes what came of it
 /// (names: names.hpp). A match that is accepted is broadcast on tf until a later one replaces it; one that fails is
-/// told on `map_match` and changes nothing else, but that a place other than that of earlier maps has to be found
-/// twice. The alignment is taken off tf when the map fits but for where the robot is, until one fits there as well. It
-/// is dropped when the reference map is replaced and when time goes back, which means that a bag loops and the mapper
-/// may have started anew.
+/// told on `map_match` and changes nothing else. What is believed is decided by belief::SessionTracker alone. The
+/// alignment is dropped when a map begins a new session,  when the reference map is replaced and when time goes back,
+/// which means that a bag loops and the mapper may have started anew.
 class MapMatcherServer {
  public:
   /// Throws std::exception, with the name of the file or the option, when one cannot be used.
   MapMatcherServer(ros::NodeHandle node, ros::NodeHandle private_node, const MapMatcherServerOptions& options);
 
  private:
+  using MapEvent = ros::MessageEvent<const nav_msgs::OccupancyGrid>;
   using Answer = std::shared_ptr<std::promise<MapMatch>>;
 
-  void onSessionMap(const nav_msgs::OccupancyGridConstPtr& message);
+  void onSessionMap(const MapEvent& event);
   void onReference(const ReferenceMapPtr& reference);
   void onTick();
   void tellWhatIsMissing();
@@ -52,22 +54,20 @@ class MapMatcherServer {
   MatchDiagnostics::State diagnosticState();
   std::optional<std::future<MapMatch>> matchSession();
   void submitMatch(const Answer& answer);
-  search::MatchPrior priorFor(const nav_msgs::OccupancyGrid& session);
-  void conclude(const nav_msgs::OccupancyGridConstPtr& session, SessionMatch& match, const work::StopToken& stop);
-  void remember(const nav_msgs::OccupancyGridConstPtr& session, const MapMatch& report);
+  MapMatch conclude(const SessionMap& session, const ReferenceMapPtr& reference, const search::SearchResult& result);
+  void tellReport(MapMatch& report);
   void tell(const MapMatch& report);
   void complete(MapMatch& report) const;
   bool followClock(const ros::Time& now);
   void dropAlignment();
+  void withdraw();
 
   std::mutex mutex_;  // guards the session and reference maps, and that no answer is published after it was outdated
-  nav_msgs::OccupancyGridConstPtr session_;  // the newest that was not found invalid
-  nav_msgs::OccupancyGridConstPtr last_valid_session_;
+  SessionMapPtr session_;  // the newest that can be used
   ReferenceMapPtr reference_;
-  belief::SessionMemory memory_;  // of the maps in memory_frame_
-  std::string memory_frame_;
+  belief::SessionTracker tracker_;
+  const search::MapMatcher matcher_;
   MatchRecord record_;
-  bool alignment_dropped_ = false;  // and no valid session map was matched since
   std::atomic<std::uint32_t> dropped_session_maps_{0};
   std::uint8_t last_status_ = MapMatch::STOPPED;  // the worker's
   ros_common::RisingClock clock_;                 // of the thread that spins
@@ -81,7 +81,6 @@ class MapMatcherServer {
   OverlayPublisher overlay_publisher_;
   ReferenceSource reference_source_;
   ros::Subscriber session_subscriber_;
-  ReferenceMatcher matcher_;      // the worker's
   work::LatestJobWorker worker_;  // after all that its jobs use
   ros::Timer tick_timer_;
   ros::WallTimer waiting_timer_;

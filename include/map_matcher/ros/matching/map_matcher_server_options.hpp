@@ -4,8 +4,8 @@
 
 #include <string>
 
+#include "map_matcher/belief/match_options.hpp"
 #include "map_matcher/parameters/parameter.hpp"
-#include "map_matcher/search/match_options.hpp"
 
 namespace map_matcher::ros_matching {
 
@@ -17,7 +17,7 @@ struct MapMatcherServerOptions {
   std::string tf_mode = "reference_to_session";  ///< Which frame is the parent: see tfModeOf().
   double tf_rate = 20.0;                         ///< [Hz] Broadcasts a second.
   double transform_tolerance = 0.1;              ///< [s] How far into the future the transform is stamped.
-  search::MatchOptions match;
+  belief::MatchOptions match;
 };
 
 /// The parameters that fill `options`, by the names they have in config/map_matcher.yaml.

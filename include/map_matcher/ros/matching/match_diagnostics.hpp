@@ -22,6 +22,8 @@ struct MatchRecord {
   std::optional<MapMatch> last_report;        ///< What the last search said.
   std::optional<MapMatch> last_match;         ///< What gave the alignment in use.
   std::int64_t reports_since = 0;             ///< Reports after last_match.
+  std::string new_session;                    ///< Why the session began anew; "" when a map has matched since.
+  std::string robot_unknown;                  ///< Why tf did not know the robot at the last search; "" when it did.
 
   void add(const MapMatch& report);
 

@@ -8,19 +8,19 @@
 #include <cstdint>
 #include <string>
 
-#include "map_matcher/search/match_result.hpp"
+#include "map_matcher/belief/answer.hpp"
 
 namespace map_matcher::ros_matching {
 
-/// All of `result`; header, frames and counts are left to the caller.
-MapMatch toMessage(const search::MatchResult& result);
+/// All of `answer`; header, frames and counts are left to the caller.
+MapMatch toMessage(const belief::Answer& answer);
 
-/// The answer for a map or a request that was not searched for. `status` is INVALID_MAP, EQUAL_FRAMES or
-/// INVALID_REQUEST.
+/// The answer for a map or a request that was not searched for. `status` is INVALID_MAP, EQUAL_FRAMES,
+/// INVALID_REQUEST or FAILED.
 MapMatch refusal(std::uint8_t status, const std::string& reason);
 
 /// The robot's pose in the reference map, given its pose in the session map, with the covariance of the match
-/// (MatchResult::covariance) carried over. z, roll and pitch, which are zero in a plane, have none. `match.status` is
+/// (SearchResult::covariance) carried over. z, roll and pitch, which are zero in a plane, have none. `match.status` is
 /// MATCHED.
 geometry_msgs::PoseWithCovariance robotPose(const MapMatch& match, const grid::Rigid2& T_session_base);
 

@@ -13,7 +13,7 @@
 #include <future>
 #include <optional>
 
-#include "map_matcher/ros/matching/reference_matcher.hpp"
+#include "map_matcher/ros/matching/session_map.hpp"
 
 namespace map_matcher::ros_matching {
 
@@ -29,7 +29,7 @@ class MatchServices {
     std::function<void(MapMatch&)> complete;                              ///< Fills in the header's stamp and counts.
   };
 
-  MatchServices(ros::NodeHandle node, ros::NodeHandle private_node, const search::MatchOptions& options,
+  MatchServices(ros::NodeHandle node, ros::NodeHandle private_node, const belief::MatchOptions& options,
                 Actions actions);
 
   /// Stops a search that a caller waits for.
@@ -43,10 +43,9 @@ class MatchServices {
   bool onSetReferenceMap(SetReferenceMap::Request& request, SetReferenceMap::Response& response);
   bool onMatchNow(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
 
-  const search::MatchOptions options_;
+  const belief::MatchOptions options_;
   Actions actions_;
   work::StopToken stop_;
-  std::optional<ReferenceMatcher> matcher_;  // with the options of the last request
   ros::CallbackQueue queue_;
   ros::ServiceServer match_to_reference_;
   ros::ServiceServer set_reference_map_;
@@ -55,9 +54,9 @@ class MatchServices {
 };
 
 /// The node's options with those that the request overrides: not zero and not NaN. Not checked.
-search::MatchOptions optionsOf(const MatchToReference::Request& request, const search::MatchOptions& node_options);
+belief::MatchOptions optionsOf(const MatchToReference::Request& request, const belief::MatchOptions& node_options);
 
 /// The priors of a request. Throws std::invalid_argument that names each value that is not finite or out of range.
-search::MatchPrior priorOf(const MatchToReference::Request& request);
+search::Constraints constraintsOf(const MatchToReference::Request& request);
 
 }  // namespace map_matcher::ros_matching

@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "map_matcher/ros/matching/reference_matcher.hpp"
+#include "map_matcher/search/matched_cells.hpp"
 
 namespace map_matcher::ros_matching {
 
@@ -16,8 +16,8 @@ class OverlayPublisher {
  public:
   explicit OverlayPublisher(ros::NodeHandle node);
 
-  /// Shows the cells of an accepted match instead of those before.
-  void publish(const SessionMatch& match);
+  /// Shows these cells of a session map in `frame`, whose edges are `resolution` long [m], instead of those before.
+  void publish(const search::MatchedCells& cells, const std::string& frame, double resolution);
 
   /// Takes the cells away.
   void clear();

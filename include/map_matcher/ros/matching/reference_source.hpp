@@ -22,8 +22,9 @@ class ReferenceSource {
   /// Told of every reference map that replaces the one before it.
   using Listener = std::function<void(const ReferenceMapPtr&)>;
 
-  /// `occupied_threshold` [percent]: a map needs a cell that is at least so surely occupied.
-  ReferenceSource(ros::NodeHandle node, ros::NodeHandle private_node, int occupied_threshold, Listener listener);
+  /// `options` are those of the searches in the maps. A map needs a cell of options.occupied_threshold.
+  ReferenceSource(ros::NodeHandle node, ros::NodeHandle private_node, const search::SearchOptions& options,
+                  Listener listener);
 
   /// Takes the map of a map_server YAML file, as one of `frame`. Throws MapFileError or MessageError.
   void load(const std::string& yaml_path, const std::string& frame);
@@ -41,7 +42,7 @@ class ReferenceSource {
   void onMap(const nav_msgs::OccupancyGridConstPtr& message);
   void use(const nav_msgs::OccupancyGrid& message);
 
-  const int occupied_threshold_;
+  const search::SearchOptions options_;
   Listener listener_;
   std::atomic<std::uint32_t> dropped_{0};
   std::mutex use_mutex_;  // the map published last is the one that the listener heard of last

@@ -2,10 +2,10 @@
 /// The report's two-stage search (sections 3.1 and 3.2).
 #pragma once
 
-#include "map_matcher/search/match_options.hpp"
-#include "map_matcher/search/match_prior.hpp"
-#include "map_matcher/search/match_result.hpp"
+#include "map_matcher/search/constraints.hpp"
+#include "map_matcher/search/search_options.hpp"
 #include "map_matcher/search/search_reference.hpp"
+#include "map_matcher/search/search_result.hpp"
 #include "map_matcher/search/search_session.hpp"
 #include "map_matcher/work/deadline.hpp"
 
@@ -27,7 +27,8 @@ FineWindow fineWindow(double cells_per_coarse_cell, double coarse_rotation_downs
 
 /// Coarse stage over all rotations and all translations, then fine stage around its answer. Fills everything of the
 /// result but the times of the whole match and what the exact search adds. Returns within 50 ms of a stop.
-MatchResult twoStageSearch(const SearchReference& reference, const SearchSession& session, const MatchOptions& options,
-                           const MatchPrior& prior, const work::Deadline& deadline);
+SearchResult twoStageSearch(const SearchReference& reference, const SearchSession& session,
+                            const SearchOptions& options, const Constraints& constraints,
+                            const work::Deadline& deadline);
 
 }  // namespace map_matcher::search

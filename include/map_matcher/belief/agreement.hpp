@@ -1,0 +1,31 @@
+/// \file
+/// What earlier maps of the session say about a place.
+#pragma once
+
+#include <optional>
+
+#include "map_matcher/belief/evidence.hpp"
+#include "map_matcher/belief/match_options.hpp"
+#include "map_matcher/search/search_result.hpp"
+
+namespace map_matcher::belief {
+
+/// How a place stands to those that earlier maps of the session were found at.
+enum class Standing {
+  kFirst,        ///< None of them was matched.
+  kAgrees,       ///< It is the place of the last one that was matched.
+  kConfirms,     ///< It is another one, but that of the map before, the contender.
+  kContradicts,  ///< It is neither.
+};
+
+/// `alignment` and `contender` as in Circumstances. Two poses are of one place up to distinct_distance and
+/// distinct_angle.
+Standing standingOf(const search::SearchResult& result, const search::SearchOptions& options,
+                    const std::optional<grid::Rigid2>& alignment, const std::optional<grid::Rigid2>& contender);
+
+/// "agreement": the distance [m] from the place of an earlier map. Against the place (kUnconfirmed) when it contradicts
+/// and options.belief.confirm_relocation is set.
+Evidence agreementEvidence(const search::SearchResult& result, const MatchOptions& options, Standing standing,
+                           const std::optional<grid::Rigid2>& alignment);
+
+}  // namespace map_matcher::belief
