@@ -15,5 +15,5 @@ COPY . .
 RUN scripts/build release && find build/release -mindepth 1 -maxdepth 1 ! -name install -exec rm -rf {} +
 
 # "--": else the setup file would take the command for its own arguments.
-ENTRYPOINT ["bash", "-c", ". /map_matcher/build/release/install/setup.bash -- && exec \"$@\"", "--"]
+ENTRYPOINT ["bash", "-c", ". /map_matcher/build/release/.install/setup.bash -- && exec \"$@\"", "--"]
 CMD ["bash"]

@@ -45,7 +45,7 @@ class Installation(unittest.TestCase):
         cls.directory = Path(tempfile.mkdtemp(prefix="map_matcher_"))
         cls.addClassCleanup(shutil.rmtree, cls.directory, ignore_errors=True)
         cls.prefix = cls.directory / "install"
-        shutil.copytree(Path(BUILD) / "install", cls.prefix, symlinks=True)
+        shutil.copytree(Path(BUILD) / ".install", cls.prefix, symlinks=True)
         hidden = "unshare --map-root-user --mount"
         cls.may_hide = subprocess.run([*hidden.split(), "true"], stderr=subprocess.DEVNULL, check=False).returncode == 0
 

@@ -95,7 +95,7 @@ class Shell:
         self.master = f"http://127.0.0.1:{free_port()}"
         build = os.environ.get("MAP_MATCHER_BUILD")
         if build:
-            self.setup = f". {build}/install/setup.bash && "
+            self.setup = f". {build}/.install/setup.bash && "
             environment = {"HOME": str(directory), "PATH": "/usr/sbin:/usr/bin:/sbin:/bin", "LANG": "C.UTF-8"}
         else:
             self.setup, environment = "", os.environ
@@ -188,7 +188,7 @@ class ReadmeCommands(unittest.TestCase):
         self.assertTrue(command.words[1].startswith("build/release/"), command)
         path = command.words[1].replace("build/release", build, 1)
         self.assertTrue(Path(path).exists(), f"there is no {path}; scripts/build makes it")
-        self.assertEqual(path, f"{build}/install/setup.bash", "the other commands run with that one")
+        self.assertEqual(path, f"{build}/.install/setup.bash", "the other commands run with that one")
 
     def check_ending(self, shell, command):
         done = shell.run(command.text)
