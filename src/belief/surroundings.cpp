@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "map_matcher/grid/occupied_cells.hpp"
+#include "map_matcher/search/matched_cells.hpp"
 
 namespace map_matcher::belief {
 namespace {
@@ -103,8 +104,8 @@ Surroundings surroundings(const search::Reference& reference, const grid::Occupa
                           const MatchOptions& options, const grid::Rigid2& T_reference_session,
                           const Eigen::Vector2d& robot) {
   const search::Reference::Prepared prepared = reference.at(session.resolution());
-  const double offset = -options.search.session_map_cell_offset * session.resolution();
-  const Overlay maps{*prepared.map, session, session.geometry().T_map_grid * grid::Rigid2{offset, offset, 0.0},
+  const Overlay maps{*prepared.map, session,
+                     search::cornerOf(session.geometry(), options.search.session_map_cell_offset),
                      prepared.map->T_reference_grid().inverse() * T_reference_session};
   Surroundings nearby;
   countHits(maps, robot, options, nearby);
