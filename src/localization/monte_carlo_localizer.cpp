@@ -16,6 +16,7 @@
 #include <optional>
 #include <random>
 #include <stdexcept>
+#include <type_traits>
 
 #include "map_matcher/grid/resample.hpp"
 #include "map_matcher/parameters/option_check.hpp"
@@ -37,6 +38,16 @@ bool isFinite(const grid::Rigid2& pose) {
 }
 
 mrpt::poses::CPose2D toMrpt(const grid::Rigid2& pose) { return {pose.x, pose.y, pose.yaw}; }
+
+/// Sets MRPT's pointer to a map that `owner` keeps: one that shares it, or in older releases one that does not.
+template <typename Pointer, typename Map>
+void pointTo(Pointer& pointer, const std::shared_ptr<Map>& owner) {
+  if constexpr (std::is_pointer_v<Pointer>) {
+    pointer = owner.get();
+  } else {
+    pointer = owner;
+  }
+}
 
 /// MRPT's map, whose frame is that of the grid, since it knows no origin with a yaw.
 std::shared_ptr<mrpt::maps::COccupancyGridMap2D> toMrpt(const grid::OccupancyGrid& grid) {
@@ -158,7 +169,7 @@ class MonteCarloLocalizer::Impl {
     map_ = toMrpt(is_fine ? grid::resample(map, options.map_resolution) : map);
     computeLikelihoods(options, *map_);
     filter_ = filterOf(options);
-    particles_.options.metricMap = map_;
+    pointTo(particles_.options.metricMap, map_);
     configure(particles_.options.KLD_params, options);
     reset();
   }
