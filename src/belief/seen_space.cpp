@@ -13,16 +13,9 @@ namespace {
 
 /// The cells within `distance` [cells] of a wall, which are not 0.
 cv::Mat widened(const cv::Mat& walls, double distance) {
-  const int reach = static_cast<int>(std::floor(distance));
-  cv::Mat disc(2 * reach + 1, 2 * reach + 1, CV_8U, cv::Scalar(0));
-  for (int y = -reach; y <= reach; ++y) {
-    for (int x = -reach; x <= reach; ++x) {
-      disc.at<std::uint8_t>(y + reach, x + reach) = std::hypot(x, y) <= distance ? 1 : 0;
-    }
-  }
-  cv::Mat wide;
-  cv::dilate(walls, wide, disc, cv::Point(-1, -1), 1, cv::BORDER_CONSTANT, cv::Scalar(0));
-  return wide;
+  cv::Mat distances;  // with no wall at all they are very large
+  cv::distanceTransform(walls == 0, distances, cv::DIST_L2, cv::DIST_MASK_5);
+  return distances <= distance;
 }
 
 /// The cells on the middle lines of walls, or `deepest` [cells] below the surface of thicker ones.
