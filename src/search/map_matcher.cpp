@@ -1,5 +1,7 @@
 #include "map_matcher/search/map_matcher.hpp"
 
+#include <algorithm>
+
 #include "map_matcher/parameters/option_check.hpp"
 #include "map_matcher/search/exact/certification.hpp"
 #include "map_matcher/search/search_session.hpp"
@@ -34,9 +36,14 @@ SearchResult MapMatcher::search(const Reference::Prepared& prepared, const grid:
   }
   work::Stopwatch watch;
   const SearchSession search_session = searchSession(session, prepared.map->resolution(), options_);
+  const bool exact = options_.search == "exact";
+  SearchOptions start = options_;
+  if (exact) {  // the two stages find where the exact search begins, in a crowd, too
+    start.coarse.acceptance_ratio = std::min(start.coarse.acceptance_ratio, demand.min_hit_ratio);
+  }
   // Sections 3.1 and 3.2 of the report: the coarse stage everywhere, then the fine one around its answer.
-  SearchResult result = twoStageSearch(*prepared.map, search_session, options_, constraints, deadline);
-  if (options_.search == "exact") {
+  SearchResult result = twoStageSearch(*prepared.map, search_session, start, constraints, deadline);
+  if (exact) {
     result = certify(result, *prepared.map, search_session, options_, demand, constraints, deadline);
   }
   result.search_time = watch.lap();

@@ -2,11 +2,13 @@
 /// The slow and obvious exact search: tries every pose.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <optional>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "map_matcher/grid/rigid2.hpp"
@@ -54,15 +56,36 @@ class HitMap {
   std::vector<bool> hits_;
 };
 
-/// The best pose and the best one elsewhere.
+/// The best pose and the best one elsewhere, and all places that a greedy search takes one after the other.
 struct BestPoses {
   std::optional<search::SearchPose> best;
   std::optional<search::SearchPose> runner_up;
+  std::vector<search::SearchPose> poses;  ///< All that have a hit, the best first.
 };
 
 inline bool firstOfEqual(const search::SearchPose& a, const search::SearchPose& b) {
   return std::make_tuple(-a.count, a.rotation, a.translation.y, a.translation.x) <
          std::make_tuple(-b.count, b.rotation, b.translation.y, b.translation.x);
+}
+
+/// Whether a pose is another place than one that was found.
+inline bool distinct(const search::ExactProblem& problem, const search::SearchPose& pose,
+                     const search::SearchPose& place) {
+  const double distance =
+      std::hypot(pose.translation.x - place.translation.x, pose.translation.y - place.translation.y);
+  const double turn = std::abs(grid::normalizeAngle((pose.rotation - place.rotation) * problem.rotations.step()));
+  return distance > problem.distinction.distance || turn > problem.distinction.angle;
+}
+
+/// The best of all poses, the best first, that is distinct from all places, if it has as many hits.
+inline std::optional<search::SearchPose> bestElsewhere(const search::ExactProblem& problem,
+                                                       const std::vector<search::SearchPose>& poses,
+                                                       const std::vector<search::SearchPose>& places, int min_count) {
+  const auto best = std::find_if(poses.begin(), poses.end(), [&](const search::SearchPose& pose) {
+    return std::all_of(places.begin(), places.end(),
+                       [&](const search::SearchPose& place) { return distinct(problem, pose, place); });
+  });
+  return best != poses.end() && best->count >= std::max(1, min_count) ? std::make_optional(*best) : std::nullopt;
 }
 
 /// Tries all poses of the problem; without windows, all translations of up to `reach` cells.
@@ -75,31 +98,45 @@ inline BestPoses tryAllPoses(const search::ExactProblem& problem, const search::
                                                                 : problem.windows[static_cast<std::size_t>(n)];
     for (int y = window.first.y; y <= window.last.y; ++y) {
       for (int x = window.first.x; x <= window.last.x; ++x) {
-        poses.push_back({n, {x, y}, hits.count(cells, {x, y})});
+        const std::int32_t count = hits.count(cells, {x, y});
+        if (count > 0) {
+          poses.push_back({n, {x, y}, count});
+        }
       }
     }
   }
+  std::sort(poses.begin(), poses.end(), firstOfEqual);
   BestPoses result;
-  for (const search::SearchPose& pose : poses) {
-    if (pose.count >= std::max(1, problem.min_count) && (!result.best || firstOfEqual(pose, *result.best))) {
-      result.best = pose;
-    }
+  result.best = bestElsewhere(problem, poses, {}, problem.min_count);
+  if (result.best) {
+    result.runner_up = bestElsewhere(problem, poses, {*result.best}, result.best->count - problem.runner_up_gap);
   }
-  for (const search::SearchPose& pose : poses) {
-    if (!result.best) {
-      break;
-    }
-    const search::SearchPose& best = *result.best;
-    const double distance =
-        std::hypot(pose.translation.x - best.translation.x, pose.translation.y - best.translation.y);
-    const double turn = std::abs(grid::normalizeAngle((pose.rotation - best.rotation) * problem.rotations.step()));
-    const bool elsewhere = distance > problem.distinction.distance || turn > problem.distinction.angle;
-    const bool enough = pose.count >= std::max(1, best.count - problem.runner_up_gap);
-    if (elsewhere && enough && (!result.runner_up || firstOfEqual(pose, *result.runner_up))) {
-      result.runner_up = pose;
-    }
-  }
+  result.poses = std::move(poses);
   return result;
+}
+
+/// The places that are found one after the other, greedily: each the best pose that is distinct from those before it,
+/// as long as it reaches what is still of interest.
+inline std::vector<search::SearchPose> greedyPlaces(const search::ExactProblem& problem, const BestPoses& truth) {
+  std::vector<search::SearchPose> places;
+  double largest_worth = 0.0;
+  const auto take = [&](int min_count) {
+    const std::optional<search::SearchPose> place = bestElsewhere(problem, truth.poses, places, min_count);
+    if (place) {
+      places.push_back(*place);
+      largest_worth = std::max(largest_worth, problem.worth ? problem.worth(*place) : place->count);
+    }
+    return place.has_value();
+  };
+  bool found = take(problem.min_count);
+  if (found && problem.most_places > 1) {
+    take(places.front().count - problem.runner_up_gap);
+  }
+  while (found && static_cast<int>(places.size()) < problem.most_places) {
+    const auto least = static_cast<int>(std::floor(largest_worth + 1e-6)) - problem.runner_up_gap;
+    found = take(std::max(problem.min_count, least));
+  }
+  return places;
 }
 
 }  // namespace map_matcher::test

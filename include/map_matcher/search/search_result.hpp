@@ -48,6 +48,18 @@ struct RunnerUp {
   double ratio = 0.0;                ///< Its hits / session cells, to compare with SearchResult::hit_ratio.
 };
 
+/// One of the distinct places that were found.
+struct Place {
+  grid::Rigid2 T_reference_session;  ///< Where it fits best, moved by less than a cell from:
+  grid::Rigid2 searched;             ///< The same in whole cells and rotation steps.
+  Eigen::Matrix3d covariance =
+      Eigen::Matrix3d::Zero();  ///< Of (x, y, yaw) of T_reference_session, as SearchResult::covariance.
+  int matched_cells = 0;        ///< Session cells on walls of the reference at T_reference_session [cells].
+  int hit_cells = 0;            ///< Session cells within hit_tolerance of a wall at `searched` [cells].
+  double hit_ratio = 0.0;       ///< hit_cells / SearchResult::total_cells.
+  double worth = 0.0;           ///< What Demand::worth says of it; without that, its hit ratio.
+};
+
 /// The answer of MapMatcher::match.
 struct SearchResult {
   SearchEnding ending = SearchEnding::kSearched;
@@ -78,6 +90,13 @@ struct SearchResult {
                                       ///< without one, that none comes within Demand::margin.
   double margin = 0.0;  ///< No place elsewhere has a hit ratio above hit_ratio - margin; equal to hit_ratio less that
                         ///< of the runner-up when that is proven, and 0 unless certified.
+  /// The distinct places that were found, most hits first: the best pose of all, then the best one that is
+  /// distinct_distance or distinct_angle away from it, then the best one so far away from both, and so on, until no
+  /// other can be worth more than the one worth most less Demand::margin, or none reaches Demand::min_hit_ratio, or
+  /// there are as many as demanded. When the time was over before that, the last one is the best so far.
+  std::vector<Place> places;
+  double elsewhere_bound = 1.0;  ///< No pose that is so far away from every one of `places` has a larger hit ratio.
+                                 ///< That is proven, whatever ended the search.
   /// The middle of the session's cells, where distances between places are measured [m, session map frame].
   Eigen::Vector2d session_centre{0.0, 0.0};
 

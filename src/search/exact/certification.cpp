@@ -2,22 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <vector>
 
+#include "../placing.hpp"
+#include "climbing.hpp"
 #include "map_matcher/search/exact/exact_search.hpp"
-#include "map_matcher/search/refinement/pose_refiner.hpp"
 #include "map_matcher/search/search_frames.hpp"
 #include "map_matcher/work/stopwatch.hpp"
 
 namespace map_matcher::search {
 namespace {
-
-/// Moves to a better pose nearby, at most, before the exact search begins.
-constexpr int kMostClimbs = 20;
-
-/// Rotations looked at on either side of a pose before the exact search.
-constexpr int kClimbedRotations = 2;
 
 /// Takes the search for one that was given up before its proof.
 void endEarly(SearchResult& result, const work::Deadline& deadline) {
@@ -47,12 +43,16 @@ class Certification {
         range_(allowedRotations()),
         rotations_(cells_, range_.first * step_, step_, range_.count, reference.exact().topLevel(),
                    searchThreads(options), deadline),
+        placing_(reference, session, options, rotations_),
+        worth_(demand.worth),
         problem_{reference.exact(), rotations_} {
     const int n = rotations_.numCells();
     problem_.windows = priorWindows();
     problem_.min_count = minCount(demand.min_hit_ratio, n);
     problem_.distinction = {options.distinct_distance / cells_.resolution, options.distinct_angle};
     problem_.runner_up_gap = static_cast<int>(std::ceil(demand.margin * n));
+    problem_.most_places = demand.most_places;
+    problem_.worth = [this, n](const SearchPose& pose) { return addPlace(pose) * n; };
   }
 
   SearchResult run(const SearchResult& answer) {
@@ -60,7 +60,8 @@ class Certification {
     result_.total_cells = rotations_.numCells();
     std::optional<SearchPose> start;
     if (answer.found) {
-      start = climbFrom(frames_.centrePose(answer.T_reference_session, cells_.centre));
+      const CentrePose pose = frames_.centrePose(answer.T_reference_session, cells_.centre);
+      start = climbFrom(pose, cells_.resolution, problem_, deadline_);
     }
     problem_.known_count = start ? start->count : 0;
     const double preparation_time = watch_.lap();
@@ -102,54 +103,6 @@ class Certification {
     return settings;
   }
 
-  /// The best of the poses that lie uphill from one, step by step: a start for the exact search. Nothing when the prior
-  /// excludes it.
-  std::optional<SearchPose> climbFrom(const CentrePose& pose) const {
-    const double all = std::round(2.0 * M_PI / step_);
-    const double steps = std::round((pose.angle - rotations_.angle(0)) / step_);
-    const Eigen::Vector2d position = pose.position / cells_.resolution;
-    SearchPose here;
-    here.rotation = static_cast<int>(steps - all * std::floor(steps / all));
-    here.translation = {static_cast<int>(std::lround(position.x())), static_cast<int>(std::lround(position.y()))};
-    std::optional<SearchPose> best;
-    for (int climb = 0; climb < kMostClimbs && !deadline_.passed(); ++climb) {
-      const SearchPose next = bestAround(best ? *best : here);
-      if (next.count <= (best ? best->count : 0)) {
-        break;
-      }
-      best = next;
-    }
-    return best;
-  }
-
-  /// The best allowed pose around one; its count is 0 when none is allowed.
-  SearchPose bestAround(const SearchPose& middle) const {
-    const grid::Cell first{middle.translation.x - kTileColumns / 2, middle.translation.y - kTileRows / 2};
-    const ScoreKernel kernel;
-    std::vector<TileScore> scores;
-    SearchPose best;
-    for (int turn = -kClimbedRotations; turn <= kClimbedRotations; ++turn) {
-      const int n = middle.rotation + turn;
-      if (n < 0 || n >= rotations_.count()) {
-        continue;
-      }
-      const RotatedCells rotated = rotate(cells_, rotations_.angle(n));
-      kernel.scoreTile(reference_.exact().level(0), rotated, reference_.exact().position(0, first), {}, best.count + 1,
-                       scores);
-      const SearchWindow window =
-          problem_.windows.empty() ? everywhere() : problem_.windows[static_cast<std::size_t>(n)];
-      for (const TileScore& score : scores) {
-        const grid::Cell t{first.x + score.column, first.y + score.row};
-        const bool allowed =
-            t.x >= window.first.x && t.x <= window.last.x && t.y >= window.first.y && t.y <= window.last.y;
-        if (allowed && score.count > best.count) {
-          best = {n, t, score.count};
-        }
-      }
-    }
-    return best;
-  }
-
   void report(const ExactOutcome& outcome, double preparation_time) {
     StageReport stage;
     stage.name = "exact";
@@ -159,7 +112,7 @@ class Certification {
     stage.rotation_step = step_;
     stage.total_cells = rotations_.numCells();
     stage.matched_cells = outcome.best ? outcome.best->count : 0;
-    stage.ratio = ratio(stage.matched_cells);
+    stage.ratio = placing_.ratio(stage.matched_cells);
     stage.nodes_scored = outcome.nodes_scored;
     stage.nodes_expanded = outcome.nodes_expanded;
     stage.initialization_time = preparation_time;
@@ -168,59 +121,57 @@ class Certification {
     result_.stages.push_back(stage);
   }
 
+  /// Adds a place that was found to the result; what it is worth.
+  double addPlace(const SearchPose& pose) {
+    Place place = placing_.placeOf(pose);
+    if (worth_) {
+      place.worth = worth_(place);
+    }
+    result_.places.push_back(place);
+    return place.worth;
+  }
+
   void conclude(const ExactOutcome& outcome, const std::optional<SearchPose>& start) {
     result_.certified = outcome.best_proven;
     result_.runner_up_proven = outcome.runner_up_proven;
-    result_.upper_bound = ratio(outcome.upper_bound);
+    result_.upper_bound = placing_.ratio(outcome.upper_bound);
+    result_.elsewhere_bound = placing_.ratio(outcome.elsewhere_bound);
     const std::optional<SearchPose>& best = outcome.best ? outcome.best : start;
     result_.found = best.has_value();
+    if (best && best->count >= problem_.min_count && result_.places.empty()) {
+      addPlace(*best);  // the search was cut before it found any as good
+    }
     if (best) {
       result_.replaced = !start || elsewhere(*start, *best);
-      place(*best);
-      result_.margin =
-          outcome.best && outcome.best_proven ? ratio(std::max(0, best->count - outcome.runner_up_bound)) : 0.0;
+      place(*best, outcome.best_proven);
+      result_.margin = outcome.best && outcome.best_proven
+                           ? placing_.ratio(std::max(0, best->count - outcome.runner_up_bound))
+                           : 0.0;
     }
     if (outcome.runner_up) {
-      result_.runner_up = RunnerUp{mapPose(*outcome.runner_up), ratio(outcome.runner_up->count)};
+      result_.runner_up = RunnerUp{placing_.mapPose(*outcome.runner_up), placing_.ratio(outcome.runner_up->count)};
     }
-    if (!outcome.best_proven || !outcome.runner_up_proven) {
+    if (!outcome.complete) {
       endEarly(result_, deadline_);
     }
-    if (best && outcome.best_proven) {
-      refinePose(*best);
-    }
   }
 
-  /// Takes a pose as the answer.
-  void place(const SearchPose& pose) {
-    result_.T_reference_session = mapPose(pose);
+  /// Takes a pose as the answer; one that is proven is moved from whole cells to where the session lies best.
+  void place(const SearchPose& pose, bool proven) {
     result_.refined = true;
     result_.hit_cells = pose.count;
-    result_.hit_ratio = ratio(pose.count);
-    countMatches(centrePose(pose));
-  }
-
-  /// The strict count at a pose, of session cells whose centres fall into walls.
-  void countMatches(const CentrePose& pose) {
-    const PooledLevel& walls = reference_.fine().level(0);
-    const grid::Rigid2 T{pose.position.x() / cells_.resolution, pose.position.y() / cells_.resolution, pose.angle};
-    const Eigen::Matrix2d R = T.rotation();
-    result_.matched_cells = 0;
-    for (const Eigen::Vector2d& p : cells_.points) {
-      const Eigen::Vector2d cell = (R * p + T.translation()).array().floor();
-      result_.matched_cells += walls.at(static_cast<int>(cell.x()), static_cast<int>(cell.y()));
+    result_.hit_ratio = placing_.ratio(pose.count);
+    if (proven) {
+      const Place place = result_.places.empty() ? placing_.placeOf(pose) : result_.places.front();
+      result_.searched = place.searched;
+      result_.T_reference_session = place.T_reference_session;
+      result_.covariance = place.covariance;
+      result_.matched_cells = place.matched_cells;
+    } else {
+      result_.T_reference_session = placing_.mapPose(pose);
+      result_.matched_cells = placing_.matchesAt(placing_.centrePose(pose));
     }
-    result_.ratio = ratio(result_.matched_cells);
-  }
-
-  /// Moves the answer from whole cells to where the session lies best (the maps' walls as they are, not the wider
-  /// hits).
-  void refinePose(const SearchPose& pose) {
-    result_.searched = mapPose(pose);
-    const RefinedPose refined = refine(reference_.walls(), cells_, centrePose(pose), options_.hit_tolerance);
-    result_.T_reference_session = frames_.mapPose(refined.pose, cells_.centre);
-    result_.covariance = frames_.mapCovariance(refined.covariance, refined.pose.angle, cells_.centre);
-    countMatches(refined.pose);
+    result_.ratio = placing_.ratio(result_.matched_cells);
   }
 
   bool elsewhere(const SearchPose& a, const SearchPose& b) const {
@@ -228,15 +179,6 @@ class Certification {
     const double turn = std::abs(grid::normalizeAngle((a.rotation - b.rotation) * step_));
     return distance > problem_.distinction.distance || turn > problem_.distinction.angle;
   }
-
-  CentrePose centrePose(const SearchPose& pose) const {
-    const Eigen::Vector2d cells(pose.translation.x, pose.translation.y);
-    return {rotations_.angle(pose.rotation), cells * cells_.resolution};
-  }
-
-  grid::Rigid2 mapPose(const SearchPose& pose) const { return frames_.mapPose(centrePose(pose), cells_.centre); }
-
-  double ratio(int count) const { return static_cast<double>(count) / rotations_.numCells(); }
 
   work::Stopwatch watch_;
   const SearchReference& reference_;
@@ -248,6 +190,8 @@ class Certification {
   double step_;
   RotationRange range_;
   RotationBlocks rotations_;
+  Placing placing_;
+  const std::function<double(const Place&)>& worth_;
   ExactProblem problem_;
   SearchResult result_;
 };

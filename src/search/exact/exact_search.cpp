@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <utility>
 
 #include "block_search.hpp"
@@ -37,17 +38,19 @@ class ExactSearch {
   }
 
   ExactOutcome run() {
-    outcome_.upper_bound = outcome_.runner_up_bound = problem_.rotations.numCells();
+    outcome_.upper_bound = outcome_.runner_up_bound = outcome_.elsewhere_bound = problem_.rotations.numCells();
     findBest();
     if (outcome_.best && outcome_.best_proven) {
-      findRunnerUp();
+      findOthers();
     }
-    outcome_.runner_up_proven |= outcome_.best_proven && !outcome_.best;
+    if (outcome_.best_proven && !outcome_.best) {
+      outcome_.runner_up_proven = outcome_.complete = true;
+    }
     for (const BlockSearch& search : searches_) {
       outcome_.nodes_scored += search.nodesScored();
       outcome_.nodes_expanded += search.nodesExpanded();
     }
-    outcome_.stopped = settings_.deadline.stopped() && !(outcome_.best_proven && outcome_.runner_up_proven);
+    outcome_.stopped = settings_.deadline.stopped() && !outcome_.complete;
     return outcome_;
   }
 
@@ -152,19 +155,64 @@ class ExactSearch {
     const Found found = searchBlocks(incumbent);
     outcome_.best = found.best;
     outcome_.best_proven = found.proven;
-    outcome_.upper_bound = outcome_.runner_up_bound = found.bound;
+    outcome_.upper_bound = outcome_.runner_up_bound = outcome_.elsewhere_bound = found.bound;
+    takePlace(found);
   }
 
-  void findRunnerUp() {
-    const std::int32_t threshold = runnerUpThreshold(outcome_.best->count);
-    if (threshold < root_threshold_ && !scoreRoots(threshold)) {
+  /// The runner-up, by matched cells alone, then what else may be worth as much as the places so far.
+  void findOthers() {
+    if (!lookFurther()) {
+      outcome_.complete = true;
       return;
     }
-    Incumbent incumbent(threshold, ExcludedNeighbourhood(*outcome_.best, problem_));
+    const std::optional<Found> runner_up = findElsewhere(runnerUpThreshold(outcome_.best->count));
+    if (!runner_up) {
+      return;
+    }
+    outcome_.runner_up = runner_up->best;
+    outcome_.runner_up_proven = runner_up->proven;
+    outcome_.runner_up_bound = outcome_.elsewhere_bound;
+    bool proven = runner_up->proven;
+    while (proven && lookFurther() && furtherThreshold() <= outcome_.elsewhere_bound) {
+      const std::optional<Found> found = findElsewhere(furtherThreshold());
+      proven = found && found->proven;
+    }
+    outcome_.complete = proven;
+  }
+
+  bool lookFurther() const { return static_cast<int>(outcome_.places.size()) < problem_.most_places; }
+
+  /// Matched cells without which no further place is worth as much as the best so far, less the gap: it is worth its
+  /// matched cells at most.
+  std::int32_t furtherThreshold() const {
+    constexpr double kRounding = 1e-6;  // of a worth that is a share of all cells
+    const double least = std::floor(largest_worth_ + kRounding) - problem_.runner_up_gap;
+    return std::max({1, problem_.min_count, static_cast<std::int32_t>(std::max(0.0, least))});
+  }
+
+  /// The best pose that is distinct from all places so far, if it reaches `threshold`, and takes it for a place.
+  /// Nothing when the deadline passed before the search began.
+  std::optional<Found> findElsewhere(std::int32_t threshold) {
+    if (threshold < root_threshold_ && !scoreRoots(threshold)) {
+      return std::nullopt;
+    }
+    std::vector<ExcludedNeighbourhood> excluded;
+    for (const SearchPose& place : outcome_.places) {
+      excluded.emplace_back(place, problem_);
+    }
+    Incumbent incumbent(threshold, std::move(excluded));
     const Found found = searchBlocks(incumbent);
-    outcome_.runner_up = found.best;
-    outcome_.runner_up_proven = found.proven;
-    outcome_.runner_up_bound = std::min(found.bound, outcome_.best->count);
+    outcome_.elsewhere_bound = std::min(outcome_.elsewhere_bound, found.bound);
+    takePlace(found);
+    return found;
+  }
+
+  void takePlace(const Found& found) {
+    if (found.best) {
+      outcome_.places.push_back(*found.best);
+      const double worth = problem_.worth ? problem_.worth(*found.best) : found.best->count;
+      largest_worth_ = std::max(largest_worth_, worth);  // which no worth that is not a number is
+    }
   }
 
   const ExactProblem& problem_;
@@ -172,6 +220,7 @@ class ExactSearch {
   std::vector<BlockSearch> searches_;
   std::vector<RotationBlock> blocks_;
   std::int32_t root_threshold_ = 0;  // that the initial nodes at hand reach
+  double largest_worth_ = 0.0;       // of all places so far [cells]
   ExactOutcome outcome_;
 };
 

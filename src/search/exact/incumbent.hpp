@@ -11,6 +11,7 @@
 #include <optional>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 #include "map_matcher/grid/rigid2.hpp"
 #include "map_matcher/search/exact/exact_search.hpp"
@@ -31,11 +32,11 @@ inline bool better(const SearchPose& a, const SearchPose& b) {
          std::make_tuple(-b.count, b.rotation, b.translation.y, b.translation.x);
 }
 
-/// The poses around the best one, which are no place elsewhere.
+/// The poses around a place that was found, which are no place elsewhere.
 class ExcludedNeighbourhood {
  public:
-  ExcludedNeighbourhood(const SearchPose& best, const ExactProblem& problem)
-      : best_(best),
+  ExcludedNeighbourhood(const SearchPose& place, const ExactProblem& problem)
+      : place_(place),
         problem_(problem),
         squared_distance_(problem.distinction.distance * problem.distinction.distance) {}
 
@@ -43,14 +44,14 @@ class ExcludedNeighbourhood {
   bool contains(const SearchNode& node) const {
     const int size = (1 << node.level) - 1;
     const double dx =
-        std::max(std::abs(node.first.x - best_.translation.x), std::abs(node.first.x + size - best_.translation.x));
+        std::max(std::abs(node.first.x - place_.translation.x), std::abs(node.first.x + size - place_.translation.x));
     const double dy =
-        std::max(std::abs(node.first.y - best_.translation.y), std::abs(node.first.y + size - best_.translation.y));
+        std::max(std::abs(node.first.y - place_.translation.y), std::abs(node.first.y + size - place_.translation.y));
     if (dx * dx + dy * dy > squared_distance_) {
       return false;
     }
     for (int k = 0; k <= size; ++k) {
-      const int steps = node.rotation + k - best_.rotation;
+      const int steps = node.rotation + k - place_.rotation;
       if (std::abs(grid::normalizeAngle(steps * problem_.rotations.step())) > problem_.distinction.angle) {
         return false;
       }
@@ -59,7 +60,7 @@ class ExcludedNeighbourhood {
   }
 
  private:
-  SearchPose best_;
+  SearchPose place_;
   const ExactProblem& problem_;
   double squared_distance_;
 };
@@ -68,7 +69,7 @@ class ExcludedNeighbourhood {
 class Incumbent {
  public:
   /// `min_count` is at least 1.
-  explicit Incumbent(std::int32_t min_count, std::optional<ExcludedNeighbourhood> excluded = std::nullopt)
+  explicit Incumbent(std::int32_t min_count, std::vector<ExcludedNeighbourhood> excluded = {})
       : threshold_(std::max(1, min_count)), excluded_(std::move(excluded)) {}
 
   /// Matched cells without which no pose can take its place.
@@ -77,8 +78,7 @@ class Incumbent {
   /// Whether no pose of the node can take its place.
   bool prunes(const SearchNode& node) const {
     const std::int32_t threshold = this->threshold();
-    return node.bound < threshold || (node.bound == threshold && comesAfterBest(node)) ||
-           (excluded_ && excluded_->contains(node));
+    return node.bound < threshold || (node.bound == threshold && comesAfterBest(node)) || isExcluded(node);
   }
 
   /// Takes the pose if it is better. It must not be excluded.
@@ -97,6 +97,11 @@ class Incumbent {
   }
 
  private:
+  bool isExcluded(const SearchNode& node) const {
+    return std::any_of(excluded_.begin(), excluded_.end(),
+                       [&node](const ExcludedNeighbourhood& neighbourhood) { return neighbourhood.contains(node); });
+  }
+
   /// Whether the best pose so far, of as many cells as the node's bound, comes before each pose of the node.
   bool comesAfterBest(const SearchNode& node) const {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -106,7 +111,7 @@ class Incumbent {
   mutable std::mutex mutex_;
   std::atomic<std::int32_t> threshold_;  // of the best pose once there is one; that many are needed to be as good
   std::optional<SearchPose> best_;
-  std::optional<ExcludedNeighbourhood> excluded_;
+  std::vector<ExcludedNeighbourhood> excluded_;
 };
 
 }  // namespace map_matcher::search

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <memory>
 #include <random>
 
@@ -108,6 +110,48 @@ TEST(ExactSearch, FindsWhatTryingAllPosesFindsWithAnyNumberOfThreadsAndEveryKern
       ASSERT_FALSE(HasFailure());
     }
   }
+}
+
+/// What a pose is worth: up to half of its matches less than them, at random but always the same.
+double someWorth(const SearchPose& pose) {
+  const int lost = (pose.rotation * 7 + pose.translation.x * 13 + pose.translation.y * 29) % 11;
+  return pose.count * (1.0 - 0.05 * std::abs(lost));
+}
+
+TEST(ExactSearch, FindsThePlacesThatTakingTheBestOfAllPosesAgainAndAgainFinds) {
+  int further_places = 0;
+  for (std::uint32_t seed = 0; seed < 600; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomProblem random(seed);
+    const int top_level = static_cast<int>(seed) % (BlockShape::kMaxLevel + 1);
+    const WidenedGrids grids(random.width, random.height, random.walls, random.tolerance, top_level);
+    ExactProblem problem = random.problem(grids);
+    problem.most_places = test::randomInt(random.random, 1, 6);
+    problem.runner_up_gap /= test::randomInt(random.random, 1, 4);
+    if (seed % 3 != 0) {
+      problem.worth = someWorth;
+    }
+    const test::HitMap hits(random.width, random.height, random.walls, random.tolerance);
+    const test::BestPoses truth = test::tryAllPoses(problem, random.session, hits, 32);
+    const std::vector<SearchPose> expected = test::greedyPlaces(problem, truth);
+    ExactSettings settings;
+    settings.threads = 1 + static_cast<int>(seed % 3);
+    settings.most_stored_nodes = seed % 5 == 0 ? 20 : settings.most_stored_nodes;
+
+    const ExactOutcome outcome = exactSearch(problem, settings);
+
+    ASSERT_TRUE(outcome.complete);
+    ASSERT_EQ(outcome.places.size(), expected.size());
+    for (std::size_t k = 0; k < expected.size(); ++k) {
+      expectEqual(outcome.places[k], expected[k]);
+    }
+    const std::optional<SearchPose> next = test::bestElsewhere(problem, truth.poses, outcome.places, 1);
+    EXPECT_GE(outcome.elsewhere_bound, next ? next->count : 0);
+    EXPECT_LE(outcome.elsewhere_bound, expected.empty() ? problem.min_count - 1 : expected.back().count);
+    further_places += static_cast<int>(expected.size()) - 2;
+    ASSERT_FALSE(HasFailure());
+  }
+  EXPECT_GT(further_places, 100);
 }
 
 TEST(ExactSearch, NoPoseOfANodeBeatsItsBound) {

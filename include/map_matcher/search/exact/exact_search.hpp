@@ -1,8 +1,9 @@
 /// \file
-/// The best pose of all, with proof, and the best one elsewhere: branch and bound over translation and rotation.
+/// The best pose of all, with proof, and the best ones elsewhere: branch and bound over translation and rotation.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -29,7 +30,12 @@ struct ExactProblem {
   std::int32_t min_count = 1;           ///< Fewest matched cells that are an answer.
   std::int32_t known_count = 0;         ///< Matched cells of a pose that is known to be among those searched: a start.
   Distinction distinction{};
-  std::int32_t runner_up_gap = 1 << 30;  ///< By how many cells a runner-up may at most be below the best pose.
+  std::int32_t runner_up_gap = 1 << 30;  ///< By how many cells a runner-up may at most be below the best pose, and a
+                                         ///< further place below what the one worth most is worth.
+  int most_places = 2;                   ///< Places that are looked for, the best one included; at least that one.
+  /// What a place is worth [matched cells], at most its count; empty: its count. Called once for each place that was
+  /// found, the best first, by the thread that called exactSearch().
+  std::function<double(const SearchPose&)> worth{};
 };
 
 /// How a search is done; nothing here changes its answer, unless the deadline passes.
@@ -50,18 +56,26 @@ struct ExactOutcome {
   std::optional<SearchPose> best;       ///< Nothing when no pose reaches min_count; unless proven, the best so far.
   std::optional<SearchPose> runner_up;  ///< The best pose elsewhere; nothing when the gap to it is larger, and unless
                                         ///< `best` is proven; unless proven itself, the best so far.
-  std::int32_t upper_bound = 0;         ///< No pose has more matched cells.
-  std::int32_t runner_up_bound = 0;     ///< No pose elsewhere has more matched cells.
-  bool best_proven = false;             ///< Whether `best` is the best of all, or nothing reaches min_count.
-  bool runner_up_proven = false;        ///< The same for the runner-up. Both are true unless the deadline passed.
-  bool stopped = false;                 ///< Whether the stop token was set before the proofs were complete.
+  /// All places that were found, the best first: the best pose of all, the best one distinct from it, the best one
+  /// distinct from both, and so on. Unless `complete`, the last one is the best so far.
+  std::vector<SearchPose> places;
+  std::int32_t upper_bound = 0;      ///< No pose has more matched cells.
+  std::int32_t runner_up_bound = 0;  ///< No pose elsewhere has more matched cells.
+  std::int32_t elsewhere_bound = 0;  ///< No pose that is distinct from all places has more matched cells.
+  bool best_proven = false;          ///< Whether `best` is the best of all, or nothing reaches min_count.
+  bool runner_up_proven = false;     ///< The same for the runner-up. Both are true unless the deadline passed, or
+                                     ///< no runner-up was looked for.
+  bool complete = false;             ///< Whether no further place reaches min_count and is within runner_up_gap of
+                                     ///< what the others are worth, or most_places were found.
+  bool stopped = false;              ///< Whether the stop token was set before the proofs were complete.
   std::int64_t nodes_scored = 0;
   std::int64_t nodes_expanded = 0;
   double root_time = 0.0;   ///< Scoring the initial nodes [s].
   double below_time = 0.0;  ///< All that is below them [s].
 };
 
-/// Finds the best pose and the runner-up. Returns within 50 ms of the deadline, with the best poses so far.
+/// Finds the best pose, the runner-up and further places. Returns within 50 ms of the deadline, with the best poses so
+/// far.
 ExactOutcome exactSearch(const ExactProblem& problem, const ExactSettings& settings);
 
 }  // namespace map_matcher::search
