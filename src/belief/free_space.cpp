@@ -9,18 +9,18 @@ struct Walls {
   double open = 0.0;
 };
 
-Walls wallsIn(const SeenSpace& map, const SeenSpace& other, const grid::Rigid2& T_other_map) {
+Walls wallsIn(const grid::SeenSpace& map, const grid::SeenSpace& other, const grid::Rigid2& T_other_map) {
   Walls walls;
   const Eigen::Matrix2d R = T_other_map.rotation();
   for (const Eigen::Vector2d& p : map.walls()) {
     switch (other.at(R * p + T_other_map.translation())) {
-      case Seen::kNearWall:
+      case grid::Seen::kNearWall:
         walls.near += map.resolution();
         break;
-      case Seen::kFree:
+      case grid::Seen::kFree:
         walls.open += map.resolution();
         break;
-      case Seen::kUnknown:
+      case grid::Seen::kUnknown:
         break;
     }
   }
@@ -29,7 +29,7 @@ Walls wallsIn(const SeenSpace& map, const SeenSpace& other, const grid::Rigid2& 
 
 }  // namespace
 
-FreeSpace freeSpace(const SeenSpace& reference, const SeenSpace& session, const grid::Rigid2& T_reference_session) {
+FreeSpace freeSpace(const grid::SeenSpace& reference, const grid::SeenSpace& session, const grid::Rigid2& T_reference_session) {
   const Walls of_session = wallsIn(session, reference, T_reference_session);
   const Walls of_reference = wallsIn(reference, session, T_reference_session.inverse());
   return {of_session.near, of_session.open, of_reference.near, of_reference.open};

@@ -105,7 +105,7 @@ Surroundings surroundings(const search::Reference& reference, const grid::Occupa
                           const Eigen::Vector2d& robot) {
   const search::Reference::Prepared prepared = reference.at(session.resolution());
   const Overlay maps{*prepared.map, session,
-                     search::cornerOf(session.geometry(), options.search.session_map_cell_offset),
+                     grid::cornerOf(session.geometry(), options.search.session_map_cell_offset),
                      prepared.map->T_reference_grid().inverse() * T_reference_session};
   Surroundings nearby;
   countHits(maps, robot, options, nearby);

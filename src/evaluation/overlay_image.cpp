@@ -35,7 +35,7 @@ using Points = std::vector<Eigen::Vector2d>;
 /// Points of the session map frame in cells of the reference grid.
 Points toReferenceCells(const grid::OccupancyGrid& reference, const grid::Rigid2& T_reference_session,
                         const Points& points, double reference_cell_offset) {
-  const grid::Rigid2 T_reference_grid = search::cornerOf(reference.geometry(), reference_cell_offset);
+  const grid::Rigid2 T_reference_grid = grid::cornerOf(reference.geometry(), reference_cell_offset);
   const grid::Rigid2 T_grid_session = T_reference_grid.inverse() * T_reference_session;
   Points cells;
   for (const Eigen::Vector2d& p : points) {

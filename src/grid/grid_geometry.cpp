@@ -40,4 +40,9 @@ void GridGeometry::validate() const {
   }
 }
 
+Rigid2 cornerOf(const GridGeometry& geometry, double cell_offset) {
+  const double offset = -cell_offset * geometry.resolution;
+  return geometry.T_map_grid * Rigid2{offset, offset, 0.0};
+}
+
 }  // namespace map_matcher::grid

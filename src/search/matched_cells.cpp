@@ -14,11 +14,6 @@ constexpr double kSameResolution = 1e-6;
 
 }  // namespace
 
-grid::Rigid2 cornerOf(const grid::GridGeometry& geometry, double cell_offset) {
-  const double offset = -cell_offset * geometry.resolution;
-  return geometry.T_map_grid * grid::Rigid2{offset, offset, 0.0};
-}
-
 MatchedCells splitByMatch(const grid::OccupancyGrid& reference, const grid::OccupancyGrid& session,
                           const grid::Rigid2& T_reference_session, const SearchOptions& options) {
   // The search looks at the reference map in the cells of a coarser session map.

@@ -35,4 +35,10 @@ Reference::Prepared Reference::at(double session_resolution, const work::StopTok
   }
 }
 
+const grid::SeenSpace& Reference::seen() const {
+  std::call_once(seen_made_,
+                 [this] { seen_.emplace(grid_, options_.reference_map_cell_offset, options_.occupied_threshold); });
+  return *seen_;
+}
+
 }  // namespace map_matcher::search

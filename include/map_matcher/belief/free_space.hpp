@@ -2,7 +2,7 @@
 /// What two maps of a place say of each other's walls, by the free space that they saw.
 #pragma once
 
-#include "map_matcher/belief/seen_space.hpp"
+#include "map_matcher/grid/seen_space.hpp"
 #include "map_matcher/grid/rigid2.hpp"
 
 namespace map_matcher::belief {
@@ -26,6 +26,6 @@ struct FreeSpace {
 };
 
 /// Lays `session` on `reference` at T_reference_session.
-FreeSpace freeSpace(const SeenSpace& reference, const SeenSpace& session, const grid::Rigid2& T_reference_session);
+FreeSpace freeSpace(const grid::SeenSpace& reference, const grid::SeenSpace& session, const grid::Rigid2& T_reference_session);
 
 }  // namespace map_matcher::belief

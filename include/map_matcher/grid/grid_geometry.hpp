@@ -38,4 +38,8 @@ struct GridGeometry {
   void validate() const;
 };
 
+/// Pose of a grid's corner in its map's frame, where the map draws all by `cell_offset` cells too far along +x and +y
+/// of the grid.
+Rigid2 cornerOf(const GridGeometry& geometry, double cell_offset);
+
 }  // namespace map_matcher::grid

@@ -21,8 +21,4 @@ struct MatchedCells {
 MatchedCells splitByMatch(const grid::OccupancyGrid& reference, const grid::OccupancyGrid& session,
                           const grid::Rigid2& T_reference_session, const SearchOptions& options = {});
 
-/// Pose of a grid's corner in its map's frame, where the map draws all by `cell_offset` cells too far along +x and +y
-/// of the grid.
-grid::Rigid2 cornerOf(const grid::GridGeometry& geometry, double cell_offset);
-
 }  // namespace map_matcher::search

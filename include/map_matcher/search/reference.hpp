@@ -4,8 +4,10 @@
 
 #include <memory>
 #include <mutex>
+#include <optional>
 
 #include "map_matcher/grid/occupancy_grid.hpp"
+#include "map_matcher/grid/seen_space.hpp"
 #include "map_matcher/search/search_options.hpp"
 #include "map_matcher/search/search_reference.hpp"
 #include "map_matcher/work/stop_token.hpp"
@@ -28,6 +30,9 @@ class Reference {
 
   const grid::OccupancyGrid& grid() const { return grid_; }
 
+  /// What the map says of places, free space included; made when it is first asked for.
+  const grid::SeenSpace& seen() const;
+
   /// What session maps of `session_resolution` [m] are searched in: a finer one is searched in the reference's own
   /// cells, a coarser one needs the reference map at its own resolution. Builds it unless it was the last one asked
   /// for; gives that up, and keeps what it had, within 50 ms of a stop. Throws std::invalid_argument for a map too
@@ -39,6 +44,8 @@ class Reference {
   SearchOptions options_;
   mutable std::mutex mutex_;  // guards prepared_, and that it is built once
   mutable Prepared prepared_;
+  mutable std::once_flag seen_made_;
+  mutable std::optional<grid::SeenSpace> seen_;
 };
 
 }  // namespace map_matcher::search

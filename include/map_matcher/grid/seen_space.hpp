@@ -8,7 +8,7 @@
 
 #include "map_matcher/grid/occupancy_grid.hpp"
 
-namespace map_matcher::belief {
+namespace map_matcher::grid {
 
 /// What a map says of a place.
 enum class Seen : std::uint8_t {
@@ -23,9 +23,9 @@ class SeenSpace {
   /// How far from a wall its place may be in another map of the building: what mappers bend, and cells [m].
   static constexpr double kNear = 0.2;
 
-  /// A wall is a cell of at least `occupied_threshold` [percent]; free is one of at most 100 less that. `cell_offset` is
-  /// SearchOptions::session_map_cell_offset or reference_map_cell_offset [cells].
-  SeenSpace(const grid::OccupancyGrid& map, double cell_offset, int occupied_threshold);
+  /// A wall is a cell of at least `occupied_threshold` [percent]; free is one of at most 100 less that. `cell_offset` as
+  /// for cornerOf() [cells].
+  SeenSpace(const OccupancyGrid& map, double cell_offset, int occupied_threshold);
 
   /// What is said of a place of the map frame [m].
   Seen at(const Eigen::Vector2d& p_map) const;
@@ -39,9 +39,9 @@ class SeenSpace {
   std::size_t bytes() const;  ///< Memory taken [bytes].
 
  private:
-  grid::GridGeometry geometry_;  // with the cell offset
+  GridGeometry geometry_;  // with the cell offset
   std::vector<Seen> seen_;       // row-major
   std::vector<Eigen::Vector2d> walls_;
 };
 
-}  // namespace map_matcher::belief
+}  // namespace map_matcher::grid

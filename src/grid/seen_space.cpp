@@ -1,4 +1,4 @@
-#include "map_matcher/belief/seen_space.hpp"
+#include "map_matcher/grid/seen_space.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,9 +6,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include "map_matcher/grid/occupied_cells.hpp"
-#include "map_matcher/search/matched_cells.hpp"
 
-namespace map_matcher::belief {
+namespace map_matcher::grid {
 namespace {
 
 /// The cells within `distance` [cells] of a wall, which are not 0.
@@ -19,12 +18,12 @@ cv::Mat widened(const cv::Mat& walls, double distance) {
 }
 
 /// The cells on the middle lines of walls, or `deepest` [cells] below the surface of thicker ones.
-std::vector<grid::Cell> middleLines(const cv::Mat& walls, double deepest) {
+std::vector<Cell> middleLines(const cv::Mat& walls, double deepest) {
   cv::Mat depth;
   cv::distanceTransform(walls, depth, cv::DIST_L2, cv::DIST_MASK_5);
   cv::Mat deepest_around;
   cv::dilate(depth, deepest_around, cv::Mat(), cv::Point(-1, -1), 1, cv::BORDER_REPLICATE);
-  std::vector<grid::Cell> cells;
+  std::vector<Cell> cells;
   for (int y = 0; y < walls.rows; ++y) {
     for (int x = 0; x < walls.cols; ++x) {
       const float here = depth.at<float>(y, x);
@@ -39,11 +38,11 @@ std::vector<grid::Cell> middleLines(const cv::Mat& walls, double deepest) {
 
 }  // namespace
 
-SeenSpace::SeenSpace(const grid::OccupancyGrid& map, double cell_offset, int occupied_threshold)
+SeenSpace::SeenSpace(const OccupancyGrid& map, double cell_offset, int occupied_threshold)
     : geometry_(map.geometry()) {
-  geometry_.T_map_grid = search::cornerOf(map.geometry(), cell_offset);
+  geometry_.T_map_grid = cornerOf(map.geometry(), cell_offset);
   cv::Mat walls(geometry_.height, geometry_.width, CV_8U, cv::Scalar(0));
-  for (const grid::Cell& wall : grid::occupiedCells(map, static_cast<std::int8_t>(occupied_threshold))) {
+  for (const Cell& wall : occupiedCells(map, static_cast<std::int8_t>(occupied_threshold))) {
     walls.at<std::uint8_t>(wall.y, wall.x) = 1;
   }
   const cv::Mat near = widened(walls, kNear / geometry_.resolution);
@@ -55,13 +54,13 @@ SeenSpace::SeenSpace(const grid::OccupancyGrid& map, double cell_offset, int occ
       seen_.push_back(near.at<std::uint8_t>(y, x) != 0 ? Seen::kNearWall : is_free ? Seen::kFree : Seen::kUnknown);
     }
   }
-  for (const grid::Cell& cell : middleLines(walls, std::max(1.0, kNear / geometry_.resolution))) {
+  for (const Cell& cell : middleLines(walls, std::max(1.0, kNear / geometry_.resolution))) {
     walls_.push_back(geometry_.cellCentre(cell));
   }
 }
 
 Seen SeenSpace::at(const Eigen::Vector2d& p_map) const {
-  const grid::Cell cell = geometry_.cellAt(p_map);
+  const Cell cell = geometry_.cellAt(p_map);
   if (!geometry_.contains(cell)) {
     return Seen::kUnknown;
   }
@@ -73,4 +72,4 @@ std::size_t SeenSpace::bytes() const {
   return seen_.size() * sizeof(Seen) + walls_.size() * sizeof(Eigen::Vector2d);
 }
 
-}  // namespace map_matcher::belief
+}  // namespace map_matcher::grid

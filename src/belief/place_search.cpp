@@ -1,0 +1,112 @@
+#include "map_matcher/belief/place_search.hpp"
+
+#include <algorithm>
+
+namespace map_matcher::belief {
+namespace {
+
+/// The exact search of one map, and the candidates that it finds.
+class ExactSearch {
+ public:
+  ExactSearch(const search::MapMatcher& matcher, const grid::OccupancyGrid& session, const MatchOptions& options)
+      : matcher_(matcher),
+        session_(session),
+        options_(options),
+        seen_(session, options.search.session_map_cell_offset, options.search.occupied_threshold),
+        best_worth_(0.0) {}
+
+  void search(const search::Reference& reference, const search::Constraints& constraints,
+              const work::Deadline& deadline) {
+    const std::size_t map = results_.size();
+    search::Demand demand = demandOf(options_);
+    demand.min_hit_ratio = std::max(demand.min_hit_ratio, best_worth_ - demand.margin);
+    demand.worth = [&](const search::Place& place) { return add(reference, map, place); };
+    results_.push_back(matcher_.match(reference, session_, demand, constraints, deadline));
+  }
+
+  std::optional<Findings> follow(const search::Reference& reference, const Plan& plan, const work::StopToken& stop) {
+    const search::SearchResult result = matcher_.follow(reference, session_, *plan.follow, demandOf(options_), stop);
+    if (!result.found || result.places.empty()) {
+      return std::nullopt;
+    }
+    const search::Place& place = result.places.front();
+    const search::PlaceDifference difference =
+        search::difference(place.searched, *plan.follow, result.session_centre);
+    const FreeSpace space = freeSpace(reference.seen(), seen_, place.T_reference_session);
+    const double worth = worthOf(place.hit_ratio, space);
+    if (difference.distance > options_.search.distinct_distance || difference.angle > options_.search.distinct_angle ||
+        worth < plan.worth - kFollowedLoss) {
+      return std::nullopt;
+    }
+    Findings findings;
+    findings.search = result;
+    findings.map = plan.map;
+    findings.candidates = {{place, space, plan.map, worth}};
+    findings.followed = true;
+    return findings;
+  }
+
+  Findings findings() const { return rank(results_, candidates_, demandOf(options_).margin); }
+
+ private:
+  double add(const search::Reference& reference, std::size_t map, const search::Place& place) {
+    const FreeSpace space = freeSpace(reference.seen(), seen_, place.T_reference_session);
+    const double worth = worthOf(place.hit_ratio, space);
+    candidates_.push_back({place, space, map, worth});
+    best_worth_ = std::max(best_worth_, worth);
+    return worth;
+  }
+
+  const search::MapMatcher& matcher_;
+  const grid::OccupancyGrid& session_;
+  const MatchOptions& options_;
+  grid::SeenSpace seen_;
+  double best_worth_;
+  std::vector<search::SearchResult> results_;
+  std::vector<Candidate> candidates_;
+};
+
+}  // namespace
+
+Findings findPlaces(const search::MapMatcher& matcher, const ReferenceMaps& maps, const grid::OccupancyGrid& session,
+                    const MatchOptions& options, const Plan& plan, const search::Constraints& constraints,
+                    const work::StopToken& stop) {
+  double reference_time = 0.0;
+  for (const search::Reference* map : maps) {
+    reference_time += map->at(session.resolution(), stop).time;
+  }
+  if (plan.follow) {
+    if (const std::optional<Findings> followed =
+            ExactSearch(matcher, session, options).follow(*maps.at(plan.map), plan, stop)) {
+      return *followed;
+    }
+  }
+  Findings findings = findPlaces(matcher, maps, session, options, constraints,
+                                 work::Deadline(options.search.exact_deadline, stop));
+  findings.search.reference_time = reference_time;
+  return findings;
+}
+
+Findings findPlaces(const search::MapMatcher& matcher, const ReferenceMaps& maps, const grid::OccupancyGrid& session,
+                    const MatchOptions& options, const search::Constraints& constraints,
+                    const work::Deadline& deadline) {
+  if (options.search.search != "exact") {
+    Findings best;
+    for (std::size_t map = 0; map < maps.size(); ++map) {
+      const search::SearchResult result =
+          matcher.match(*maps[map], session, demandOf(options), constraints, deadline);
+      if (map == 0 || (result.found && (!best.search.found || result.ratio > best.search.ratio))) {
+        best.search = result;
+        best.map = map;
+      }
+    }
+    return best;
+  }
+  ExactSearch search(matcher, session, options);
+  for (const search::Reference* map : maps) {
+    search.search(*map, constraints, deadline);
+  }
+  return search.findings();
+}
+
+}  // namespace map_matcher::belief
