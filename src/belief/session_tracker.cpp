@@ -34,6 +34,7 @@ void SessionTracker::reset() {
   last_map_.reset();
   alignment_.reset();
   contender_.reset();
+  prior_.reset();
   robot_was_lost_ = false;
 }
 

@@ -28,6 +28,7 @@ const std::map<std::string, Names> kRooms = {
     {"scan", {"grid"}},
     {"search", {"grid", "parameters", "work"}},
     {"belief", {"grid", "parameters", "search", "work"}},
+    {"fixes", {"files", "grid", "parameters"}},
     {"scrubbing", {"grid", "parameters", "scan"}},
     {"mapping", {"grid", "parameters", "scan"}},
     {"localization", {"grid", "parameters", "scan"}},

@@ -10,6 +10,7 @@
 #include "map_matcher/belief/answer.hpp"
 #include "map_matcher/belief/judge.hpp"
 #include "map_matcher/belief/match_options.hpp"
+#include "map_matcher/belief/prior.hpp"
 #include "map_matcher/belief/session_map_traits.hpp"
 #include "map_matcher/grid/occupancy_grid.hpp"
 #include "map_matcher/search/reference.hpp"
@@ -51,6 +52,12 @@ class SessionTracker {
   /// T_reference_session of the last map that was matched, unless it was forgotten. It may have been withdrawn.
   const std::optional<grid::Rigid2>& alignment() const { return alignment_; }
 
+  /// Somebody says where the session lies, until all is forgotten or another one says otherwise.
+  void suppose(const Prior& prior) { prior_ = prior; }
+
+  /// What was supposed last.
+  const std::optional<Prior>& prior() const { return prior_; }
+
   /// The reference map is another one, or time went back: nothing is believed any more, whatever comes next.
   void reset();
 
@@ -67,6 +74,7 @@ class SessionTracker {
   std::optional<SessionMapTraits> last_map_;
   std::optional<grid::Rigid2> alignment_;
   std::optional<Contender> contender_;
+  std::optional<Prior> prior_;
   bool robot_was_lost_ = false;
 };
 

@@ -54,12 +54,17 @@ void AlignmentBroadcaster::set(const Alignment& alignment) {
 void AlignmentBroadcaster::clear() {
   const std::lock_guard<std::mutex> lock(mutex_);
   alignment_.reset();
-  contested_ = false;
+  contest_.reset();
 }
 
 bool AlignmentBroadcaster::isContested() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return contested_;
+  return contest_.has_value();
+}
+
+std::optional<ros_common::ContestedFrame> AlignmentBroadcaster::contest() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return contest_;
 }
 
 std::vector<ros_common::ContestedFrame> AlignmentBroadcaster::contestedAmong(const std::vector<std::string>& frames,
@@ -75,7 +80,7 @@ void AlignmentBroadcaster::broadcast(const ros::Time& now) {
   }
   geometry_msgs::TransformStamped transform = transformOf(*alignment_, mode_);
   lookForOthers(transform, now);
-  if (contested_) {
+  if (contest_) {
     return;
   }
   transform.header.stamp = now + transform_tolerance_;
@@ -91,19 +96,22 @@ void AlignmentBroadcaster::onTf(const TfEvent& event, bool is_static) {
 
 void AlignmentBroadcaster::lookForOthers(const geometry_msgs::TransformStamped& transform, const ros::Time& now) {
   const std::optional<ros_common::FrameParent> other = others_.parentOf(transform.child_frame_id, now);
-  if (other && !contested_) {
+  if (other && !contest_) {
     ROS_ERROR_STREAM(
         "the frame \"" << transform.child_frame_id << "\" already has the parent \"" << other->parent
                        << "\", broadcast by " << other->publisher << ": " << transform.header.frame_id << " -> "
                        << transform.child_frame_id << " is not broadcast. Stop that node, or set ~tf_mode to "
                        << (mode_ == TfMode::kReferenceToSession ? "session_to_reference" : "reference_to_session")
                        << " or none");
-  } else if (!other && contested_) {
+  } else if (!other && contest_) {
     ROS_INFO_STREAM("the frame \"" << transform.child_frame_id
                                    << "\" has no other parent any more: " << transform.header.frame_id << " -> "
                                    << transform.child_frame_id << " is broadcast again");
   }
-  contested_ = other.has_value();
+  contest_.reset();
+  if (other) {
+    contest_ = {transform.child_frame_id, {{transform.header.frame_id, ros::this_node::getName()}, *other}};
+  }
 }
 
 }  // namespace map_matcher::ros_matching

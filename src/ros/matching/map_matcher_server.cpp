@@ -23,15 +23,24 @@ MapMatcherServer::MapMatcherServer(ros::NodeHandle node, ros::NodeHandle private
       broadcaster_(node, tfModeOf(options.tf_mode), options.transform_tolerance),
       robot_(tf_, options.base_frame),
       pose_publisher_(node, robot_),
+      announcer_(node, robot_, options.robot),
       overlay_publisher_(node),
       reference_source_(node, private_node, options.match.search,
                         [this](const ReferenceMapPtr& reference) { onReference(reference); }),
       session_subscriber_(node.subscribe(ros_common::names::kSessionMap, 1, &MapMatcherServer::onSessionMap, this)),
-      worker_([](const std::string& what) { ROS_ERROR_STREAM("a search failed: " << what); }) {
+      map_serving_(node, options.serve_map, {session_subscriber_.getTopic(), reference_source_.topic()}),
+      worker_([](const std::string& what) { ROS_ERROR_STREAM("a search failed: " << what); }),
+      operator_(node, private_node, robot_,
+                {[this] { return mapsInUse(); }, [this](const belief::Prior& prior) { suppose(prior); },
+                 [this](const std::string& service) { forget(service); }}),
+      frame_diagnostics_(node, private_node, [this] { return contestedFrames(); }) {
   if (!options.reference_map_file.empty()) {
     reference_source_.load(options.reference_map_file, options.reference_frame);
   }
   services_.emplace(node, private_node, options.match, serviceActions());
+  change_map_.emplace(node, [this, frame = options.reference_frame](const std::string& path) {
+    return reference_source_.load(path, frame);
+  });
   diagnostics_.emplace(
       node, private_node, [this] { return diagnosticState(); }, session_subscriber_.getTopic(),
       reference_source_.topic());
@@ -77,6 +86,7 @@ void MapMatcherServer::onReference(const ReferenceMapPtr& reference) {
   const std::lock_guard<std::mutex> lock(mutex_);
   dropAlignment();
   reference_ = reference;
+  map_serving_.serve(*reference);
   if (session_) {
     submitMatch(nullptr);
   }
@@ -88,6 +98,10 @@ void MapMatcherServer::onTick() {
     broadcaster_.broadcast(now);
   }
   pose_publisher_.publishPending(now);
+  operator_.tick(now);
+  if (const std::optional<belief::Prior> prior = announcer_.tick(mapsInUse(), now)) {
+    suppose(*prior);
+  }
 }
 
 void MapMatcherServer::tellWhatIsMissing() {
@@ -118,6 +132,38 @@ MatchServices::Actions MapMatcherServer::serviceActions() {
 MatchDiagnostics::State MapMatcherServer::diagnosticState() {
   const std::lock_guard<std::mutex> lock(mutex_);
   return {record_, reference_, broadcaster_.isContested(), dropped_session_maps_, reference_source_.dropped()};
+}
+
+std::vector<ros_common::ContestedFrame> MapMatcherServer::contestedFrames() {
+  std::vector<ros_common::ContestedFrame> frames =
+      broadcaster_.contestedAmong(robot_.framesUpwards(), ros::Time::now());
+  if (const std::optional<ros_common::ContestedFrame> own = broadcaster_.contest()) {
+    frames.push_back(*own);
+  }
+  return frames;
+}
+
+MapsInUse MapMatcherServer::mapsInUse() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return {reference_, session_ ? session_->frame : ""};
+}
+
+void MapMatcherServer::suppose(const belief::Prior& prior) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  tracker_.suppose(prior);
+  if (session_) {
+    submitMatch(nullptr);
+  }
+}
+
+void MapMatcherServer::forget(const std::string& service) {
+  ROS_INFO_STREAM(service << " was called: all that is believed is forgotten, and the session map at hand is matched");
+  const std::lock_guard<std::mutex> lock(mutex_);
+  dropAlignment();
+  last_status_ = MapMatch::STOPPED;
+  if (session_) {
+    submitMatch(nullptr);
+  }
 }
 
 std::optional<std::future<MapMatch>> MapMatcherServer::matchSession() {
@@ -175,6 +221,7 @@ MapMatch MapMatcherServer::conclude(const SessionMap& session, const ReferenceMa
     case belief::Broadcast::kReplace:
       broadcaster_.set({reference->frame, session.frame, result.T_reference_session});
       pose_publisher_.request(report, ros::Time::now());
+      announcer_.set({reference, session.frame, session.stamp, result.T_reference_session, result.covariance});
       overlay_publisher_.publish(search::splitByMatch(reference->map.grid(), session.grid, result.T_reference_session,
                                                       tracker_.options().search),
                                  session.frame, session.grid.resolution());
@@ -182,6 +229,7 @@ MapMatch MapMatcherServer::conclude(const SessionMap& session, const ReferenceMa
     case belief::Broadcast::kWithdraw:
       broadcaster_.clear();
       pose_publisher_.clear();
+      announcer_.clear();
       break;
     case belief::Broadcast::kKeep:
       break;
@@ -249,6 +297,7 @@ void MapMatcherServer::withdraw() {
   worker_.cancel();
   broadcaster_.clear();
   pose_publisher_.clear();
+  announcer_.clear();
   overlay_publisher_.clear();
 }
 

@@ -8,6 +8,9 @@ parameters::ParameterList parametersOf(MapMatcherServerOptions& options) {
        "YAML file of the reference map as map_server reads it; empty when the map comes by topic or service.",
        &options.reference_map_file},
       {"reference_frame", "", "Frame of the map read from reference_map_file.", &options.reference_frame},
+      {"serve_map", "",
+       "Whether the reference map is served as map_server serves one: on map and map_metadata, and by static_map.",
+       &options.serve_map},
       {"base_frame", "", "Frame of the robot whose pose is sent as match_pose.", &options.base_frame},
       {"tf_mode",
        "",
@@ -21,6 +24,8 @@ parameters::ParameterList parametersOf(MapMatcherServerOptions& options) {
        "How far into the future the transform is stamped, so that it is there when the newest scan needs it.",
        &options.transform_tolerance, 0.0, 10.0},
   };
+  const parameters::ParameterList robot = parametersOf(options.robot);
+  parameters.insert(parameters.end(), robot.begin(), robot.end());
   const parameters::ParameterList match = parametersOf(options.match);
   parameters.insert(parameters.end(), match.begin(), match.end());
   return parameters;

@@ -1,9 +1,10 @@
 #include "map_matcher/ros/matching/match_messages.hpp"
 
 #include <Eigen/Core>
-#include <array>
 
+#include "map_matcher/grid/pose_covariance.hpp"
 #include "map_matcher/ros/common/conversions.hpp"
+#include "map_matcher/ros/common/pose_messages.hpp"
 
 namespace map_matcher::ros_matching {
 namespace {
@@ -157,23 +158,10 @@ MapMatch refusal(std::uint8_t status, const std::string& reason) {
 }
 
 geometry_msgs::PoseWithCovariance robotPose(const MapMatch& match, const grid::Rigid2& T_session_base) {
-  geometry_msgs::PoseWithCovariance pose;
-  pose.pose = ros_common::toPoseMessage(grid::Rigid2{match.x, match.y, match.yaw} * T_session_base);
-  // Turning the session map about its origin moves the robot along.
-  const Eigen::Vector2d arm = grid::Rigid2{0.0, 0.0, match.yaw} * T_session_base.translation();
-  Eigen::Matrix3d jacobian = Eigen::Matrix3d::Identity();
-  jacobian(0, 2) = -arm.y();
-  jacobian(1, 2) = arm.x();
-  const Eigen::Matrix3d covariance =
-      jacobian * Eigen::Map<const RowMajor>(match.covariance.data()) * jacobian.transpose();
-  constexpr std::array<int, 3> kPlanar{0, 1, 5};  // x, y and yaw of x, y, z, roll, pitch and yaw
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) {
-      pose.covariance[static_cast<std::size_t>(6 * kPlanar[static_cast<std::size_t>(row)] +
-                                               kPlanar[static_cast<std::size_t>(column)])] = covariance(row, column);
-    }
-  }
-  return pose;
+  const grid::Rigid2 T_reference_session{match.x, match.y, match.yaw};
+  const Eigen::Matrix3d covariance = Eigen::Map<const RowMajor>(match.covariance.data());
+  return ros_common::toMessage(T_reference_session * T_session_base,
+                               grid::covarianceOfProduct(T_reference_session, covariance, T_session_base));
 }
 
 }  // namespace map_matcher::ros_matching

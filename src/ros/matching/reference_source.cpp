@@ -32,9 +32,11 @@ ReferenceSource::ReferenceSource(ros::NodeHandle node, ros::NodeHandle private_n
       publisher_(private_node.advertise<nav_msgs::OccupancyGrid>(ros_common::names::kReferenceMap, 1, true)),
       subscriber_(node.subscribe(ros_common::names::kReferenceMap, 1, &ReferenceSource::onMap, this)) {}
 
-void ReferenceSource::load(const std::string& yaml_path, const std::string& frame) {
+nav_msgs::OccupancyGrid ReferenceSource::load(const std::string& yaml_path, const std::string& frame) {
+  nav_msgs::OccupancyGrid map = ros_common::toMessage(grid::loadMap(yaml_path), frame, ros::Time::now());
   try {
-    use(ros_common::toMessage(grid::loadMap(yaml_path), frame, ros::Time::now()));
+    use(map);
+    return map;
   } catch (const ros_common::MessageError& error) {
     throw ros_common::MessageError("the reference map " + yaml_path + ": " + error.what());
   }

@@ -53,6 +53,9 @@ class AlignmentBroadcaster {
   /// Whether there was nothing sent at the last broadcast(), since another node gives the child frame a parent.
   bool isContested();
 
+  /// The child frame with this node's parent and that of the other node, while there is one.
+  std::optional<ros_common::ContestedFrame> contest();
+
   /// Those of `frames` that different nodes give different parents to at present. What this node sends does not count.
   std::vector<ros_common::ContestedFrame> contestedAmong(const std::vector<std::string>& frames, const ros::Time& now);
 
@@ -67,7 +70,7 @@ class AlignmentBroadcaster {
   std::mutex mutex_;  // guards all below
   std::optional<Alignment> alignment_;
   ros_common::FrameParents others_;
-  bool contested_ = false;
+  std::optional<ros_common::ContestedFrame> contest_;
   tf2_ros::TransformBroadcaster broadcaster_;
   ros::Subscriber tf_subscriber_;
   ros::Subscriber tf_static_subscriber_;

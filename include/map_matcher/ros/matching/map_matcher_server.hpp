@@ -14,16 +14,22 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "map_matcher/belief/session_tracker.hpp"
 #include "map_matcher/ros/common/rising_clock.hpp"
 #include "map_matcher/ros/matching/alignment_broadcaster.hpp"
+#include "map_matcher/ros/matching/change_map_service.hpp"
+#include "map_matcher/ros/matching/frame_diagnostics.hpp"
 #include "map_matcher/ros/matching/map_matcher_server_options.hpp"
+#include "map_matcher/ros/matching/map_serving.hpp"
 #include "map_matcher/ros/matching/match_diagnostics.hpp"
 #include "map_matcher/ros/matching/match_pose_publisher.hpp"
 #include "map_matcher/ros/matching/match_services.hpp"
+#include "map_matcher/ros/matching/operator_hand.hpp"
 #include "map_matcher/ros/matching/overlay_publisher.hpp"
 #include "map_matcher/ros/matching/reference_source.hpp"
+#include "map_matcher/ros/matching/robot_announcer.hpp"
 #include "map_matcher/ros/matching/robot_pose_source.hpp"
 #include "map_matcher/ros/matching/session_map.hpp"
 #include "map_matcher/search/map_matcher.hpp"
@@ -52,6 +58,10 @@ class MapMatcherServer {
 
   MatchServices::Actions serviceActions();
   MatchDiagnostics::State diagnosticState();
+  std::vector<ros_common::ContestedFrame> contestedFrames();
+  MapsInUse mapsInUse();
+  void suppose(const belief::Prior& prior);
+  void forget(const std::string& service);
   std::optional<std::future<MapMatch>> matchSession();
   void submitMatch(const Answer& answer);
   MapMatch conclude(const SessionMap& session, const ReferenceMapPtr& reference, const search::SearchResult& result);
@@ -78,14 +88,19 @@ class MapMatcherServer {
   tf2_ros::TransformListener tf_listener_{tf_};
   RobotPoseSource robot_;
   MatchPosePublisher pose_publisher_;
+  RobotAnnouncer announcer_;
   OverlayPublisher overlay_publisher_;
   ReferenceSource reference_source_;
   ros::Subscriber session_subscriber_;
+  MapServing map_serving_;
   work::LatestJobWorker worker_;  // after all that its jobs use
   ros::Timer tick_timer_;
   ros::WallTimer waiting_timer_;
+  OperatorHand operator_;
   std::optional<MatchServices> services_;
+  std::optional<ChangeMapService> change_map_;
   std::optional<MatchDiagnostics> diagnostics_;
+  FrameDiagnostics frame_diagnostics_;
 };
 
 }  // namespace map_matcher::ros_matching

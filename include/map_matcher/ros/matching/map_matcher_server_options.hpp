@@ -6,6 +6,7 @@
 
 #include "map_matcher/belief/match_options.hpp"
 #include "map_matcher/parameters/parameter.hpp"
+#include "map_matcher/ros/matching/robot_announcer_options.hpp"
 
 namespace map_matcher::ros_matching {
 
@@ -17,6 +18,8 @@ struct MapMatcherServerOptions {
   std::string tf_mode = "reference_to_session";  ///< Which frame is the parent: see tfModeOf().
   double tf_rate = 20.0;                         ///< [Hz] Broadcasts a second.
   double transform_tolerance = 0.1;              ///< [s] How far into the future the transform is stamped.
+  bool serve_map = false;                        ///< Whether the reference map is served as map_server serves one.
+  RobotAnnouncerOptions robot;
   belief::MatchOptions match;
 };
 

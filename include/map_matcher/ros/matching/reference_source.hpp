@@ -26,8 +26,8 @@ class ReferenceSource {
   ReferenceSource(ros::NodeHandle node, ros::NodeHandle private_node, const search::SearchOptions& options,
                   Listener listener);
 
-  /// Takes the map of a map_server YAML file, as one of `frame`. Throws MapFileError or MessageError.
-  void load(const std::string& yaml_path, const std::string& frame);
+  /// Takes the map of a map_server YAML file, as one of `frame`, and returns it. Throws MapFileError or MessageError.
+  nav_msgs::OccupancyGrid load(const std::string& yaml_path, const std::string& frame);
 
   /// Takes the map of a message. Throws MessageError when it cannot be used; then the old one stays.
   void take(const nav_msgs::OccupancyGrid& message);

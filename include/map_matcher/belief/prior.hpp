@@ -1,0 +1,24 @@
+/// \file
+/// What somebody says of the place of a session.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+
+#include "map_matcher/grid/rigid2.hpp"
+
+namespace map_matcher::belief {
+
+/// Where the session is supposed to lie, before or beside what its maps show: to be weighed, not to be obeyed.
+struct Prior {
+  grid::Rigid2 T_reference_session;                      ///< p_reference = T_reference_session * p_session.
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< Of (x, y, yaw) of it [m, m, rad].
+  std::string source;                                    ///< Who says so: "initialpose" or "saved fix".
+};
+
+/// What it says of the session that the robot is at `T_reference_base`, with this covariance of (x, y, yaw) of it, when
+/// its pose in the session map is `T_session_base`.
+Prior priorOfRobot(const grid::Rigid2& T_reference_base, const Eigen::Matrix3d& covariance,
+                   const grid::Rigid2& T_session_base, const std::string& source);
+
+}  // namespace map_matcher::belief

@@ -1,0 +1,50 @@
+#include "map_matcher/ros/matching/map_serving.hpp"
+
+#include <ros/console.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "map_matcher/ros/common/conversions.hpp"
+#include "map_matcher/ros/common/names.hpp"
+
+namespace map_matcher::ros_matching {
+
+MapServing::MapServing(ros::NodeHandle node, bool enabled, const std::vector<std::string>& taken) : enabled_(enabled) {
+  if (!enabled_) {
+    return;
+  }
+  const std::string topic = node.resolveName(ros_common::names::kMap);
+  if (std::find(taken.begin(), taken.end(), topic) != taken.end()) {
+    throw std::invalid_argument("~serve_map is true, but maps are taken from " + topic +
+                                ", on which the reference map would be served: let the mapper publish elsewhere "
+                                "(_map:=session_map), and remap session_map and reference_map accordingly");
+  }
+  map_publisher_ = node.advertise<nav_msgs::OccupancyGrid>(ros_common::names::kMap, 1, true);
+  metadata_publisher_ = node.advertise<nav_msgs::MapMetaData>(ros_common::names::kMapMetadata, 1, true);
+  static_map_ = node.advertiseService<nav_msgs::GetMap::Request, nav_msgs::GetMap::Response>(
+      ros_common::names::kStaticMap, [this](nav_msgs::GetMap::Request& /*request*/,
+                                            nav_msgs::GetMap::Response& response) { return onGetMap(response); });
+}
+
+void MapServing::serve(const ReferenceMap& reference) {
+  if (!enabled_) {
+    return;
+  }
+  const std::lock_guard<std::mutex> lock(mutex_);
+  map_ = ros_common::toMessage(reference.map.grid(), reference.frame, ros::Time::now());
+  map_publisher_.publish(*map_);
+  metadata_publisher_.publish(map_->info);
+}
+
+bool MapServing::onGetMap(nav_msgs::GetMap::Response& response) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!map_) {
+    ROS_WARN_STREAM("static_map was asked for, but there is no reference map yet");
+    return false;
+  }
+  response.map = *map_;
+  return true;
+}
+
+}  // namespace map_matcher::ros_matching
