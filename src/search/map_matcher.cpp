@@ -1,14 +1,27 @@
 #include "map_matcher/search/map_matcher.hpp"
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
 
 #include "map_matcher/parameters/option_check.hpp"
 #include "map_matcher/search/exact/certification.hpp"
+#include "map_matcher/search/following/following.hpp"
 #include "map_matcher/search/search_session.hpp"
 #include "map_matcher/search/two_stage/two_stage_search.hpp"
 #include "map_matcher/work/stopwatch.hpp"
 
 namespace map_matcher::search {
+namespace {
+
+SearchResult stoppedBefore() {
+  SearchResult stopped;
+  stopped.ending = SearchEnding::kStopped;
+  stopped.reason = "the search was stopped while the reference map was prepared";
+  return stopped;
+}
+
+}  // namespace
 
 MapMatcher::MapMatcher(const SearchOptions& options) : options_(options) {
   parameters::throwIfAny(parameters::problemsOf(parametersOf(options_)));
@@ -29,10 +42,7 @@ SearchResult MapMatcher::search(const Reference::Prepared& prepared, const grid:
                                 const Demand& demand, const Constraints& constraints,
                                 const work::Deadline& deadline) const {
   if (!prepared.map) {
-    SearchResult stopped;
-    stopped.ending = SearchEnding::kStopped;
-    stopped.reason = "the search was stopped while the reference map was prepared";
-    return stopped;
+    return stoppedBefore();
   }
   work::Stopwatch watch;
   const SearchSession search_session = searchSession(session, prepared.map->resolution(), options_);
@@ -46,6 +56,25 @@ SearchResult MapMatcher::search(const Reference::Prepared& prepared, const grid:
   if (exact) {
     result = certify(result, *prepared.map, search_session, options_, demand, constraints, deadline);
   }
+  result.search_time = watch.lap();
+  result.reference_time = prepared.time;
+  return result;
+}
+
+SearchResult MapMatcher::follow(const Reference& reference, const grid::OccupancyGrid& session,
+                                const grid::Rigid2& T_reference_session, const Demand& demand,
+                                const work::StopToken& stop) const {
+  if (options_.search != "exact") {
+    throw std::invalid_argument("search is " + options_.search + ", expected exact to follow a place");
+  }
+  const Reference::Prepared prepared = reference.at(session.resolution(), stop);
+  if (!prepared.map) {
+    return stoppedBefore();
+  }
+  work::Stopwatch watch;
+  const SearchSession search_session = searchSession(session, prepared.map->resolution(), options_);
+  const work::Deadline deadline(options_.exact_deadline, stop);
+  SearchResult result = followPlace(*prepared.map, search_session, options_, T_reference_session, demand, deadline);
   result.search_time = watch.lap();
   result.reference_time = prepared.time;
   return result;

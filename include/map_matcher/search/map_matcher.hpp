@@ -33,6 +33,15 @@ class MapMatcher {
   SearchResult match(const Reference& reference, const grid::OccupancyGrid& session, const Demand& demand,
                      const Constraints& constraints, const work::Deadline& deadline) const;
 
+  /// The place that a session map lies at when it is known to lie near `T_reference_session`, as after an earlier
+  /// session map of the same drive: the best pose uphill from there, by hits, moved to where it fits best, in a few
+  /// milliseconds. Nothing is proven and nothing said of places elsewhere: `places` has that one, certified is false
+  /// and elsewhere_bound 1. Found is false when fewer than demand.min_hit_ratio of the cells are hits there. Throws
+  /// std::invalid_argument unless options.search is "exact", and what Reference::at throws.
+  SearchResult follow(const Reference& reference, const grid::OccupancyGrid& session,
+                      const grid::Rigid2& T_reference_session, const Demand& demand,
+                      const work::StopToken& stop = {}) const;
+
  private:
   SearchResult search(const Reference::Prepared& prepared, const grid::OccupancyGrid& session, const Demand& demand,
                       const Constraints& constraints, const work::Deadline& deadline) const;

@@ -25,7 +25,7 @@ enum class SearchEnding {
 
 /// What one branch-and-bound stage did. The three times are those of the report's figure 9.
 struct StageReport {
-  std::string name;                      ///< "coarse", "fine" or "exact".
+  std::string name;                      ///< "coarse", "fine", "exact" or "follow".
   bool answered = false;                 ///< Whether a pose reached the stage's acceptance ratio; exact: and is proven.
   double resolution = 0.0;               ///< Edge length of the stage's cells [m].
   int rotations = 0;                     ///< Rotations of the session map that were searched, eq. 4.3.
@@ -60,7 +60,7 @@ struct Place {
   double worth = 0.0;           ///< What Demand::worth says of it; without that, its hit ratio.
 };
 
-/// The answer of MapMatcher::match.
+/// The answer of MapMatcher::match or MapMatcher::follow.
 struct SearchResult {
   SearchEnding ending = SearchEnding::kSearched;
   std::string reason;  ///< One sentence: why nothing was searched, or what the two stages came to.
@@ -78,12 +78,12 @@ struct SearchResult {
   int total_cells = 0;    ///< Session cells looked at [cells].
   double ratio = 0.0;     ///< matched_cells / total_cells.
 
-  bool exact = false;        ///< Whether an exact search was asked for; all that follows is its own.
-  bool certified = false;    ///< Whether it is proven that no pose has more hits, or that none has as many as demanded.
-  bool replaced = false;     ///< Whether the exact search found a better place than the two stages.
-  int hit_cells = 0;         ///< Session cells within hit_tolerance of a wall at the pose [cells].
-  double hit_ratio = 0.0;    ///< hit_cells / total_cells, which the exact search makes as large as can be.
-  double upper_bound = 1.0;  ///< No pose has a larger hit ratio; equal to hit_ratio of a pose when certified.
+  bool exact = false;      ///< Whether an exact search, or to follow a place, was asked for; what comes now is theirs.
+  bool certified = false;  ///< Whether it is proven that no pose has more hits, or that none has as many as demanded.
+  bool replaced = false;   ///< Whether the exact search found a better place than the two stages.
+  int hit_cells = 0;       ///< Session cells within hit_tolerance of a wall at the pose [cells].
+  double hit_ratio = 0.0;  ///< hit_cells / total_cells, which the exact search makes as large as can be.
+  double upper_bound = 1.0;           ///< No pose has a larger hit ratio; equal to hit_ratio of a pose when certified.
   std::optional<RunnerUp> runner_up;  ///< The best place elsewhere that was found, unless it is worse by more than
                                       ///< Demand::margin; nothing unless certified.
   bool runner_up_proven = false;      ///< Whether it is proven that no place elsewhere has more hits than runner_up;
@@ -100,7 +100,7 @@ struct SearchResult {
   /// The middle of the session's cells, where distances between places are measured [m, session map frame].
   Eigen::Vector2d session_centre{0.0, 0.0};
 
-  std::vector<StageReport> stages;  ///< Coarse, fine, exact; empty when no stage ran.
+  std::vector<StageReport> stages;  ///< Coarse, fine, exact, or follow alone; empty when no stage ran.
   double search_time = 0.0;         ///< The whole search without reference_time [s].
   double reference_time = 0.0;      ///< Building what depends only on the reference map, done once for each [s].
 

@@ -15,6 +15,9 @@ constexpr int kMostClimbs = 20;
 /// Rotations looked at on either side of a pose.
 constexpr int kClimbedRotations = 2;
 
+/// Rows of tiles looked at around a pose: a tile is wide, but not high.
+constexpr int kClimbedTiles = 3;
+
 class Climb {
  public:
   Climb(const ExactProblem& problem, const work::Deadline& deadline)
@@ -23,10 +26,14 @@ class Climb {
         full_turn_(static_cast<int>(std::lround(2.0 * M_PI / problem.rotations.step()))) {}
 
   std::optional<SearchPose> run(const CentrePose& pose, double resolution) {
-    const double steps = std::round((pose.angle - problem_.rotations.angle(0)) / problem_.rotations.step());
-    const Eigen::Vector2d position = pose.position / resolution;
+    const double turn = std::remainder(pose.angle - problem_.rotations.angle(0), 2.0 * M_PI);
+    const Eigen::Vector2d position =
+        (pose.position / resolution).cwiseMax(everywhere().first.x).cwiseMin(everywhere().last.x);
+    if (!(std::isfinite(turn) && position.allFinite())) {
+      return std::nullopt;
+    }
     SearchPose here;
-    here.rotation = static_cast<int>(steps - full_turn_ * std::floor(steps / full_turn_));
+    here.rotation = inFullTurn(static_cast<int>(std::lround(turn / problem_.rotations.step())));
     here.translation = {static_cast<int>(std::lround(position.x())), static_cast<int>(std::lround(position.y()))};
     std::optional<SearchPose> best;
     for (int climb = 0; climb < kMostClimbs && !deadline_.passed(); ++climb) {
@@ -42,7 +49,6 @@ class Climb {
  private:
   /// The best allowed pose around one; its count is 0 when none that is allowed has a hit.
   SearchPose bestAround(const SearchPose& middle) {
-    const grid::Cell first{middle.translation.x - kTileColumns / 2, middle.translation.y - kTileRows / 2};
     SearchPose best;
     for (int turn = -kClimbedRotations; turn <= kClimbedRotations; ++turn) {
       const int n = inFullTurn(middle.rotation + turn);
@@ -50,18 +56,28 @@ class Climb {
         continue;
       }
       const WeightedCells cells = problem_.rotations.cells(BlockShape{0}, n);
-      kernel_.scoreTile(problem_.reference.level(0), cells, problem_.reference.position(0, first), {},
-                        std::max(1, best.count), scores_);
-      const SearchWindow window =
-          problem_.windows.empty() ? everywhere() : problem_.windows[static_cast<std::size_t>(n)];
-      for (const TileScore& score : scores_) {
-        const grid::Cell t{first.x + score.column, first.y + score.row};
-        const SearchPose pose{n, t, score.count};
-        const bool allowed =
-            t.x >= window.first.x && t.x <= window.last.x && t.y >= window.first.y && t.y <= window.last.y;
-        if (allowed && (best.count == 0 || better(pose, best))) {
-          best = pose;
-        }
+      for (int tile = 0; tile < kClimbedTiles; ++tile) {
+        const grid::Cell first{middle.translation.x - kTileColumns / 2,
+                               middle.translation.y - kTileRows * kClimbedTiles / 2 + kTileRows * tile};
+        best = bestOfTile(n, cells, first, best);
+      }
+    }
+    return best;
+  }
+
+  /// The best allowed pose of a tile, or `best` when none is better.
+  SearchPose bestOfTile(int rotation, const WeightedCells& cells, const grid::Cell& first, SearchPose best) {
+    kernel_.scoreTile(problem_.reference.level(0), cells, problem_.reference.position(0, first), {},
+                      std::max(1, best.count), scores_);
+    const SearchWindow window =
+        problem_.windows.empty() ? everywhere() : problem_.windows[static_cast<std::size_t>(rotation)];
+    for (const TileScore& score : scores_) {
+      const grid::Cell t{first.x + score.column, first.y + score.row};
+      const SearchPose pose{rotation, t, score.count};
+      const bool allowed =
+          t.x >= window.first.x && t.x <= window.last.x && t.y >= window.first.y && t.y <= window.last.y;
+      if (allowed && (best.count == 0 || better(pose, best))) {
+        best = pose;
       }
     }
     return best;

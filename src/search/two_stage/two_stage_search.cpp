@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <sstream>
 #include <utility>
 
+#include "../input_check.hpp"
 #include "map_matcher/search/counting/rotations.hpp"
 #include "map_matcher/search/counting/session_cells.hpp"
 #include "map_matcher/search/search_frames.hpp"
@@ -75,8 +77,8 @@ class TwoStageSearch {
         deadline_(deadline) {}
 
   SearchResult run() {
-    if (!checkInput()) {
-      return result_;
+    if (const std::optional<SearchResult> unusable = checkInput(reference_, session_, options_)) {
+      return *unusable;
     }
     Stage coarse("coarse", reference_.coarse());
     searchCoarse(coarse);
@@ -97,27 +99,6 @@ class TwoStageSearch {
   }
 
  private:
-  bool checkInput() {
-    std::ostringstream reason;
-    if (!reference_.hasWalls()) {
-      end(SearchEnding::kEmptyReference, "the reference map has no occupied cell");
-      return false;
-    }
-    if (session_.cells.empty() || static_cast<int>(session_.cells.size()) < options_.min_session_cells) {
-      reason << "the session map has " << session_.cells.size()
-             << " occupied cells, expected at least min_session_cells = " << std::max(1, options_.min_session_cells);
-      end(SearchEnding::kTooFewSessionCells, reason.str());
-      return false;
-    }
-    if (session_.fine.diagonal > kMaxSessionDiagonal) {
-      reason << "the occupied cells of the session map span " << session_.fine.diagonal << " cells, expected at most "
-             << kMaxSessionDiagonal;
-      end(SearchEnding::kSessionTooLarge, reason.str());
-      return false;
-    }
-    return true;
-  }
-
   // Algorithm 1 over all rotations at the coarse resolution.
   void searchCoarse(Stage& stage) {
     work::Stopwatch watch;
