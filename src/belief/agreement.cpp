@@ -12,34 +12,46 @@ const grid::Rigid2& wholePose(const search::SearchResult& result) {
   return result.searched ? *result.searched : result.T_reference_session;
 }
 
-bool isSamePlace(const search::SearchResult& result, const search::SearchOptions& options,
-                 const grid::Rigid2& T_reference_session) {
-  const search::PlaceDifference difference =
-      search::difference(wholePose(result), T_reference_session, result.session_centre);
+bool isSamePose(const grid::Rigid2& a, const grid::Rigid2& b, const Eigen::Vector2d& session_centre,
+                const search::SearchOptions& options) {
+  const search::PlaceDifference difference = search::difference(a, b, session_centre);
   return difference.distance <= options.distinct_distance && difference.angle <= options.distinct_angle;
+}
+
+bool isSamePlace(const Findings& findings, const search::SearchOptions& options, const KnownPlace& place) {
+  return findings.map == place.map && isSamePose(wholePose(findings.search), place.T_reference_session,
+                                                 findings.search.session_centre, options);
 }
 
 }  // namespace
 
-Standing standingOf(const search::SearchResult& result, const search::SearchOptions& options,
-                    const std::optional<grid::Rigid2>& alignment, const std::optional<grid::Rigid2>& contender) {
+bool isAt(const Candidate& candidate, const Eigen::Vector2d& session_centre, const KnownPlace& place,
+          const search::SearchOptions& options) {
+  return candidate.map == place.map &&
+         isSamePose(candidate.place.searched, place.T_reference_session, session_centre, options);
+}
+
+Standing standingOf(const Findings& findings, const search::SearchOptions& options,
+                    const std::optional<KnownPlace>& alignment, const std::optional<KnownPlace>& contender) {
   if (!alignment) {
     return Standing::kFirst;
   }
-  if (isSamePlace(result, options, *alignment)) {
+  if (isSamePlace(findings, options, *alignment)) {
     return Standing::kAgrees;
   }
-  return contender && isSamePlace(result, options, *contender) ? Standing::kConfirms : Standing::kContradicts;
+  return contender && isSamePlace(findings, options, *contender) ? Standing::kConfirms : Standing::kContradicts;
 }
 
-Evidence agreementEvidence(const search::SearchResult& result, const MatchOptions& options, Standing standing,
-                           const std::optional<grid::Rigid2>& alignment) {
+Evidence agreementEvidence(const Findings& findings, const MatchOptions& options, Standing standing,
+                           const std::optional<KnownPlace>& alignment) {
   Evidence evidence;
   evidence.name = "agreement";
   evidence.limit = options.search.distinct_distance;
   evidence.objection = MatchStatus::kUnconfirmed;
-  if (alignment) {
-    evidence.value = search::difference(wholePose(result), *alignment, result.session_centre).distance;
+  if (alignment && alignment->map == findings.map) {
+    const search::SearchResult& result = findings.search;
+    evidence.value =
+        search::difference(wholePose(result), alignment->T_reference_session, result.session_centre).distance;
   }
   switch (standing) {
     case Standing::kFirst:
@@ -55,7 +67,7 @@ Evidence agreementEvidence(const search::SearchResult& result, const MatchOption
       break;
     case Standing::kContradicts:
       evidence.bearing = options.belief.confirm_relocation ? Bearing::kAgainst : Bearing::kSilent;
-      evidence.text = "an earlier map of the session was matched at another place, " + poseText(*alignment) +
+      evidence.text = "an earlier map of the session was matched at another place, " + poseText(alignment->T_reference_session) +
                       ": the next one has to confirm which it is";
       break;
   }

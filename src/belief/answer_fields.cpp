@@ -43,6 +43,7 @@ FieldList fieldsOf(const Answer& answer) {
                          {"upper_bound", search.upper_bound},
                          {"runner_up_proven", search.runner_up_proven},
                          {"margin", search.margin},
+                         {"probability", search.exact ? Value(answer.probability) : Value()},
                          {"nearby_cells", count(answer.nearby.cells)},
                          {"nearby_walls", count(answer.nearby.walls)},
                          {"search_time", search.search_time},

@@ -1,6 +1,7 @@
 #include "map_matcher/belief/findings.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace map_matcher::belief {
 namespace {
@@ -38,6 +39,7 @@ Findings rank(const std::vector<search::SearchResult>& results, std::vector<Cand
     findings.search.certified = findings.search.certified && result.certified;
     findings.search.upper_bound = std::max(findings.search.upper_bound, result.upper_bound);
   }
+  findings.results = results;
   findings.candidates = std::move(candidates);
   if (findings.candidates.empty()) {
     return findings;

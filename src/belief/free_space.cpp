@@ -17,10 +17,10 @@ Walls wallsIn(const grid::SeenSpace& map, const grid::SeenSpace& other, const gr
       case grid::Seen::kNearWall:
         walls.near += map.resolution();
         break;
-      case grid::Seen::kFree:
+      case grid::Seen::kOpen:
         walls.open += map.resolution();
         break;
-      case grid::Seen::kUnknown:
+      case grid::Seen::kUnseen:
         break;
     }
   }

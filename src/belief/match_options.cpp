@@ -1,14 +1,10 @@
 #include "map_matcher/belief/match_options.hpp"
 
-#include <algorithm>
-
 namespace map_matcher::belief {
 
-double smallestHitRatio(const MatchOptions& options) {
-  return std::max(options.search.coarse.acceptance_ratio, options.belief.min_hit_ratio);
+search::Demand demandOf(const MatchOptions& options) {
+  return {options.belief.min_hit_ratio, options.belief.min_margin};
 }
-
-search::Demand demandOf(const MatchOptions& options) { return {smallestHitRatio(options), options.belief.min_margin}; }
 
 parameters::ParameterList parametersOf(MatchOptions& options) {
   parameters::ParameterList all = parametersOf(options.search);

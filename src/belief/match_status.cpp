@@ -22,6 +22,8 @@ const char* toString(MatchStatus status) {
       return "not_certified";
     case MatchStatus::kAmbiguous:
       return "ambiguous";
+    case MatchStatus::kDoubtful:
+      return "doubtful";
     case MatchStatus::kUnconfirmed:
       return "unconfirmed";
     case MatchStatus::kRobotLost:

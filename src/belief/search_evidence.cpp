@@ -2,11 +2,14 @@
 
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "pose_text.hpp"
 
 namespace map_matcher::belief {
 namespace {
+
+constexpr double kRounding = 1e-9;
 
 std::string hitsText(const search::SearchResult& result, const MatchOptions& options) {
   std::ostringstream out;
@@ -18,8 +21,10 @@ std::string hitsText(const search::SearchResult& result, const MatchOptions& opt
 std::string elsewhereText(const search::SearchResult& result) {
   std::ostringstream out;
   if (result.runner_up) {
-    out << (result.runner_up_proven ? "the best place elsewhere, " : "a place elsewhere, ")
-        << poseText(result.runner_up->T_reference_session) << ", has a ratio of " << result.runner_up->ratio;
+    const grid::Rigid2& elsewhere = result.runner_up->T_reference_session;
+    out << (result.runner_up_proven ? "the best place elsewhere, " : "a place elsewhere, ") << poseText(elsewhere)
+        << ", " << search::difference(result.T_reference_session, elsewhere, result.session_centre).distance
+        << " m away, has a ratio of " << result.runner_up->ratio;
   } else {
     out << "no place elsewhere comes closer to its ratio than " << result.margin;
   }
@@ -31,15 +36,34 @@ std::string unprovenText(const search::SearchResult& result, const MatchOptions&
   std::ostringstream out;
   out << "not proven in time (exact_deadline = " << options.search.exact_deadline << " s): ";
   if (result.hit_cells == 0) {
-    out << "no pose with a ratio of " << smallestHitRatio(options) << " was found so far";
+    out << "no pose with a ratio of " << options.belief.min_hit_ratio << " was found so far";
   } else {
     out << "so far " << hitsText(result, options);
   }
   return out.str();
 }
 
-bool isRivalled(const search::SearchResult& result, const BeliefOptions& options) {
-  return result.runner_up && result.hit_ratio - result.runner_up->ratio < options.min_margin;
+/// Whether a place elsewhere was found that comes too near to the best one.
+bool isRivalled(const Findings& findings, const BeliefOptions& options) {
+  if (!findings.search.runner_up) {
+    return false;
+  }
+  const std::vector<Candidate>& candidates = findings.candidates;
+  const double lead = candidates.size() > 1 ? candidates[0].worth - candidates[1].worth
+                                            : findings.search.hit_ratio - findings.search.runner_up->ratio;
+  return lead < options.min_margin;
+}
+
+/// What is known of other places when the search for them did not come to an end.
+std::string othersUnknownText(const search::SearchResult& result, const MatchOptions& options) {
+  std::ostringstream text;
+  if (result.ending == search::SearchEnding::kOutOfTime) {
+    text << unprovenText(result, options) << ", the best of all, but";
+  } else {
+    text << hitsText(result, options) << ", but there are more places than are looked at:";
+  }
+  text << " of other places it is only known that none comes closer to its ratio than " << result.margin;
+  return text.str();
 }
 
 }  // namespace
@@ -70,7 +94,7 @@ Evidence proofEvidence(const search::SearchResult& result, const MatchOptions& o
 }
 
 Evidence hitEvidence(const search::SearchResult& result, const MatchOptions& options) {
-  const double limit = smallestHitRatio(options);
+  const double limit = options.belief.min_hit_ratio;
   Evidence evidence{"hit_ratio", result.hit_ratio, limit, Bearing::kFor, MatchStatus::kBelowAcceptanceRatio, {}};
   if (result.certified && result.hit_cells < search::minCount(limit, result.total_cells)) {
     std::ostringstream text;
@@ -87,7 +111,8 @@ Evidence hitEvidence(const search::SearchResult& result, const MatchOptions& opt
   return evidence;
 }
 
-Evidence marginEvidence(const search::SearchResult& result, const MatchOptions& options, bool follows) {
+Evidence marginEvidence(const Findings& findings, const MatchOptions& options, bool follows) {
+  const search::SearchResult& result = findings.search;
   const double limit = options.belief.min_margin;
   Evidence evidence{"margin", result.margin, limit, Bearing::kFor, MatchStatus::kAmbiguous, elsewhereText(result)};
   if (!result.certified) {
@@ -95,26 +120,24 @@ Evidence marginEvidence(const search::SearchResult& result, const MatchOptions& 
     evidence.text = "nothing is known of places elsewhere";
     return evidence;
   }
-  const bool rivalled = isRivalled(result, options.belief);
-  if (!rivalled && result.runner_up_proven && result.margin >= limit) {
+  const bool rivalled = isRivalled(findings, options.belief);
+  if (!rivalled && result.runner_up_proven && result.margin >= limit - kRounding) {
     return evidence;
   }
   if (follows) {
     evidence.bearing = Bearing::kSilent;
     return evidence;
   }
-  std::ostringstream text;
   if (rivalled) {
-    text << hitsText(result, options) << ", a ratio of " << result.hit_ratio << ", but " << evidence.text
-         << "; expected a margin of min_margin = " << limit;
+    std::ostringstream text;
+    text << "two places fit nearly equally well: " << hitsText(result, options) << ", a ratio of " << result.hit_ratio
+         << ", but " << evidence.text << "; expected a margin of min_margin = " << limit;
+    evidence.text = text.str();
   } else {
     evidence.objection = MatchStatus::kNotCertified;
-    text << unprovenText(result, options)
-         << ", the best of all, but of other places it is only known that none comes closer to its ratio than "
-         << result.margin;
+    evidence.text = othersUnknownText(result, options);
   }
   evidence.bearing = Bearing::kAgainst;
-  evidence.text = text.str();
   return evidence;
 }
 

@@ -1,6 +1,22 @@
 #include "map_matcher/belief/session_tracker.hpp"
 
+#include "map_matcher/belief/agreement.hpp"
+
 namespace map_matcher::belief {
+
+const char* toString(SessionState state) {
+  switch (state) {
+    case SessionState::kSearching:
+      return "searching";
+    case SessionState::kTentative:
+      return "tentative";
+    case SessionState::kLocalized:
+      return "localized";
+    case SessionState::kLost:
+      return "lost";
+  }
+  return "unknown";
+}
 
 std::string SessionTracker::arrive(const SessionMapTraits& traits) {
   std::string why = last_map_ ? whyAnotherSession(*last_map_, traits) : "";
@@ -11,51 +27,117 @@ std::string SessionTracker::arrive(const SessionMapTraits& traits) {
   return why;
 }
 
-Decision SessionTracker::conclude(const search::SearchResult& result, const search::Reference& reference,
-                                  const grid::OccupancyGrid& map, const std::optional<Eigen::Vector2d>& robot) {
+Plan SessionTracker::plan() const {
+  const bool due = maps_since_proof_ + 1 >= options_.belief.maps_per_proof;
+  if (!alignment_ || robot_was_lost_ || contender_ || due || options_.search.search != "exact") {
+    return {};
+  }
+  return {alignment_->T_reference_session, alignment_->map, worth_};
+}
+
+Decision SessionTracker::conclude(const Findings& findings, const ReferenceMaps& maps, const grid::OccupancyGrid& map,
+                                  const std::optional<Eigen::Vector2d>& robot) {
   const std::uint64_t digest = digestOf(map);
-  Circumstances circumstances;
-  circumstances.alignment = alignment_;
-  circumstances.robot_was_lost = robot_was_lost_;
-  if (contender_ && contender_->digest != digest) {
-    circumstances.contender = contender_->T_reference_session;
-  }
-  if (result.exact && result.found && (robot || robot_was_lost_)) {  // what is not seen takes nothing back
-    circumstances.nearby =
-        robot ? surroundings(reference, map, options_, result.T_reference_session, *robot) : Surroundings{};
-  }
+  const Findings weighed = weigh(findings);
   Decision decision;
-  decision.answer = judge(result, options_, circumstances);
-  decision.broadcast = remember(decision.answer, digest);
+  decision.answer = judge(weighed, options_, circumstancesOf(weighed, maps, map, robot, digest));
+  decision.broadcast = remember(weighed, decision.answer, digest);
+  decision.state = state();
   return decision;
 }
 
-void SessionTracker::reset() {
-  last_map_.reset();
-  alignment_.reset();
-  contender_.reset();
-  prior_.reset();
-  robot_was_lost_ = false;
+SessionState SessionTracker::state() const {
+  if (robot_was_lost_) {
+    return SessionState::kLost;
+  }
+  if (alignment_) {
+    return SessionState::kLocalized;
+  }
+  return tentative_ ? SessionState::kTentative : SessionState::kSearching;
 }
 
-Broadcast SessionTracker::remember(const Answer& answer, std::uint64_t digest) {
+void SessionTracker::suppose(const Prior& prior) {
+  prior_ = prior;
+  if (alignment_ && !agrees(prior, alignment_->T_reference_session)) {
+    alignment_.reset();
+    forgetDoubts();
+  }
+}
+
+void SessionTracker::reset() { *this = SessionTracker(options_); }
+
+/// What the places are worth with what is known beside the map: that of an earlier map is given up only for one that is
+/// worth more by min_margin, and what somebody says decides between equals.
+Findings SessionTracker::weigh(const Findings& findings) const {
+  if (findings.followed || findings.candidates.empty() || (!alignment_ && !prior_)) {
+    return findings;
+  }
+  std::vector<Candidate> candidates = findings.candidates;
+  const Eigen::Vector2d& centre = findings.search.session_centre;
+  for (Candidate& candidate : candidates) {
+    const bool in_use = alignment_ && isAt(candidate, centre, *alignment_, options_.search);
+    const bool meant = prior_ && agrees(*prior_, candidate.place.T_reference_session);
+    candidate.worth += (in_use ? options_.belief.min_margin : 0.0) + (meant ? kPriorWorth : 0.0);
+  }
+  return rank(findings.results, std::move(candidates), demandOf(options_).margin);
+}
+
+Circumstances SessionTracker::circumstancesOf(const Findings& findings, const ReferenceMaps& maps,
+                                              const grid::OccupancyGrid& map,
+                                              const std::optional<Eigen::Vector2d>& robot,
+                                              std::uint64_t digest) const {
+  const search::SearchResult& result = findings.search;
+  Circumstances circumstances;
+  circumstances.alignment = alignment_;
+  circumstances.probability = probability_;
+  circumstances.robot_was_lost = robot_was_lost_;
+  if (contender_ && contender_->digest != digest) {
+    circumstances.contender = contender_->place;
+  }
+  if (tentative_ && tentative_->digest != digest) {
+    circumstances.tentative = tentative_->place;
+  }
+  if (prior_ && result.found) {
+    circumstances.prior = priorEvidence(*prior_, result.T_reference_session);
+  }
+  if ((result.exact || findings.followed) && result.found && (robot || robot_was_lost_)) {
+    // what is not seen takes nothing back
+    circumstances.nearby =
+        robot ? surroundings(*maps.at(findings.map), map, options_, result.T_reference_session, *robot)
+              : Surroundings{};
+  }
+  return circumstances;
+}
+
+Broadcast SessionTracker::remember(const Findings& findings, const Answer& answer, std::uint64_t digest) {
+  const KnownPlace place(answer.search.T_reference_session, answer.map);
   switch (answer.status) {
     case MatchStatus::kMatched:
-      alignment_ = answer.search.T_reference_session;
-      contender_.reset();
+      alignment_ = place;
       robot_was_lost_ = false;
+      worth_ = findings.candidates.empty() ? 0.0 : worthOf(findings.candidates.front().place.hit_ratio,
+                                                           findings.candidates.front().space);
+      probability_ = answer.probability;
+      maps_since_proof_ = findings.followed ? maps_since_proof_ + 1 : 0;
+      forgetDoubts();
       return Broadcast::kReplace;
     case MatchStatus::kRobotLost:
-      contender_.reset();
+      forgetDoubts();
       robot_was_lost_ = true;
       return Broadcast::kWithdraw;
     case MatchStatus::kUnconfirmed:
-      contender_ = Contender{answer.search.T_reference_session, digest};
+      contender_ = Unconfirmed{place, digest};
+      break;
+    case MatchStatus::kDoubtful:
+      forgetDoubts();
+      if (!alignment_ && answer.probability >= options_.belief.tentative_probability) {
+        tentative_ = Unconfirmed{place, digest};
+      }
       break;
     case MatchStatus::kBelowAcceptanceRatio:
     case MatchStatus::kNotCertified:
     case MatchStatus::kAmbiguous:
-      contender_.reset();
+      forgetDoubts();
       break;
     case MatchStatus::kNoReference:
     case MatchStatus::kEmptyReference:
@@ -65,6 +147,11 @@ Broadcast SessionTracker::remember(const Answer& answer, std::uint64_t digest) {
       break;  // the map was not searched
   }
   return Broadcast::kKeep;
+}
+
+void SessionTracker::forgetDoubts() {
+  contender_.reset();
+  tentative_.reset();
 }
 
 }  // namespace map_matcher::belief

@@ -1,6 +1,7 @@
 #include "map_matcher/belief/single_match.hpp"
 
 #include "map_matcher/belief/judge.hpp"
+#include "map_matcher/belief/place_search.hpp"
 #include "map_matcher/parameters/option_check.hpp"
 #include "map_matcher/search/map_matcher.hpp"
 
@@ -15,14 +16,14 @@ Answer matchAlone(const search::Reference& reference, const grid::OccupancyGrid&
                   const search::Constraints& constraints, const work::StopToken& stop) {
   requireValid(options);
   const search::MapMatcher matcher(options.search);
-  return judge(matcher.match(reference, session, demandOf(options), constraints, stop), options);
+  return judge(findPlaces(matcher, {&reference}, session, options, {}, constraints, stop), options);
 }
 
 Answer matchAlone(const search::Reference& reference, const grid::OccupancyGrid& session, const MatchOptions& options,
                   const search::Constraints& constraints, const work::Deadline& deadline) {
   requireValid(options);
   const search::MapMatcher matcher(options.search);
-  return judge(matcher.match(reference, session, demandOf(options), constraints, deadline), options);
+  return judge(findPlaces(matcher, {&reference}, session, options, constraints, deadline), options);
 }
 
 }  // namespace map_matcher::belief

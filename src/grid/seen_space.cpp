@@ -51,7 +51,7 @@ SeenSpace::SeenSpace(const OccupancyGrid& map, double cell_offset, int occupied_
     for (int x = 0; x < geometry_.width; ++x) {
       const std::int8_t value = map.at(x, y);
       const bool is_free = value >= 0 && value <= 100 - occupied_threshold;
-      seen_.push_back(near.at<std::uint8_t>(y, x) != 0 ? Seen::kNearWall : is_free ? Seen::kFree : Seen::kUnknown);
+      seen_.push_back(near.at<std::uint8_t>(y, x) != 0 ? Seen::kNearWall : is_free ? Seen::kOpen : Seen::kUnseen);
     }
   }
   for (const Cell& cell : middleLines(walls, std::max(1.0, kNear / geometry_.resolution))) {
@@ -62,7 +62,7 @@ SeenSpace::SeenSpace(const OccupancyGrid& map, double cell_offset, int occupied_
 Seen SeenSpace::at(const Eigen::Vector2d& p_map) const {
   const Cell cell = geometry_.cellAt(p_map);
   if (!geometry_.contains(cell)) {
-    return Seen::kUnknown;
+    return Seen::kUnseen;
   }
   return seen_[static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(geometry_.width) +
                static_cast<std::size_t>(cell.x)];

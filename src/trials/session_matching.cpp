@@ -21,8 +21,9 @@ SessionMatching::SessionMatching(const grid::OccupancyGrid& reference, const bel
     : reference_(reference, checked(options).search), matcher_(options.search), tracker_(options) {}
 
 void SessionMatching::match(grid::OccupancyGrid map, TrialQuery query) {
-  const search::SearchResult result = matcher_.match(reference_, map, demandOf(tracker_.options()));
-  query.answer = tracker_.conclude(result, reference_, map, query.T_session_base.translation()).answer;
+  const belief::ReferenceMaps maps{&reference_};
+  const belief::Findings findings = findPlaces(matcher_, maps, map, tracker_.options(), tracker_.plan());
+  query.answer = tracker_.conclude(findings, maps, map, query.T_session_base.translation()).answer;
   if (const std::optional<grid::Rigid2> T_reference_session = query.alignment()) {
     const evaluation::MapQuality quality =
         evaluation::mapQuality(reference_.grid(), map, *T_reference_session, kWallTolerance,

@@ -151,7 +151,7 @@ TEST(Certification, ReplacesAWrongAnswer) {
   wrong.T_reference_session = grid::Rigid2{3.0, 1.0, 0.0} * wrong.T_reference_session;
 
   const Answer result = judge(
-      search::certify(wrong, reference, session, options.search, demandOf(options), {}, work::Deadline()), options);
+      {search::certify(wrong, reference, session, options.search, demandOf(options), {}, work::Deadline())}, options);
 
   ASSERT_TRUE(result.matched()) << result.reason;
   EXPECT_TRUE(result.search.replaced);
@@ -167,7 +167,7 @@ TEST(Certification, FindsThePlaceWhenTheTwoStagesFindNone) {
   const search::SearchResult nothing;
 
   const Answer result = judge(
-      search::certify(nothing, reference, session, options.search, demandOf(options), {}, work::Deadline()), options);
+      {search::certify(nothing, reference, session, options.search, demandOf(options), {}, work::Deadline())}, options);
 
   ASSERT_TRUE(result.matched()) << result.reason;
   EXPECT_LT(scene.error(result.search.T_reference_session), 0.15);

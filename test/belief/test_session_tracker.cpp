@@ -60,7 +60,7 @@ class TrackerTable : public testing::Test {
       SCOPED_TRACE("row " + std::to_string(row++));
 
       const Decision decision =
-          tracker_.conclude(resultOf(step.found, step.x), reference_, sessionMap(step.map), std::nullopt);
+          tracker_.conclude({resultOf(step.found, step.x)}, {&reference_}, sessionMap(step.map), std::nullopt);
 
       EXPECT_EQ(decision.answer.status, step.status) << decision.answer.reason;
       EXPECT_EQ(decision.broadcast, step.broadcast);
@@ -77,7 +77,7 @@ TEST_F(TrackerTable, KeepsTheAlignmentUntilALaterMapIsMatched) {
        {3, Found::kNothing, 0.0, MatchStatus::kBelowAcceptanceRatio, Broadcast::kKeep},
        {4, Found::kPlace, 3.1, MatchStatus::kMatched, Broadcast::kReplace}});
 
-  EXPECT_EQ(tracker_.alignment()->x, 3.1);
+  EXPECT_EQ(tracker_.alignment()->T_reference_session.x, 3.1);
 }
 
 TEST_F(TrackerTable, FollowsAPlaceThatHasARival) {
@@ -149,10 +149,10 @@ TEST(SessionTracker, WithdrawsTheAlignmentWhileTheMapDoesNotFitAroundTheRobot) {
   const search::SearchResult here = resultOf(Found::kPlace, 0.0);
   const Eigen::Vector2d robot(2.5, 1.0);
 
-  const Decision at_home = tracker.conclude(here, reference, wallMap(30), robot);
-  const Decision lost = tracker.conclude(here, reference, wallMap(45), robot);
-  const Decision unseen = tracker.conclude(here, reference, wallMap(45), Eigen::Vector2d(500.0, 500.0));
-  const Decision unknown = tracker.conclude(here, reference, wallMap(45), std::nullopt);
+  const Decision at_home = tracker.conclude({here}, {&reference}, wallMap(30), robot);
+  const Decision lost = tracker.conclude({here}, {&reference}, wallMap(45), robot);
+  const Decision unseen = tracker.conclude({here}, {&reference}, wallMap(45), Eigen::Vector2d(500.0, 500.0));
+  const Decision unknown = tracker.conclude({here}, {&reference}, wallMap(45), std::nullopt);
 
   EXPECT_EQ(at_home.broadcast, Broadcast::kReplace) << at_home.answer.reason;
   EXPECT_EQ(lost.answer.status, MatchStatus::kRobotLost) << lost.answer.reason;

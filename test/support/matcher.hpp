@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "map_matcher/belief/judge.hpp"
+#include "map_matcher/belief/place_search.hpp"
 #include "map_matcher/search/map_matcher.hpp"
 
 namespace map_matcher::test {
@@ -22,13 +23,13 @@ class Matcher {
 
   belief::Answer match(const grid::OccupancyGrid& session, const search::Constraints& constraints = {},
                        const work::StopToken& stop = {}, const belief::Circumstances& circumstances = {}) const {
-    const search::SearchResult result = matcher_.match(*reference_, session, demandOf(options_), constraints, stop);
-    return judge(result, options_, circumstances);
+    return judge(findPlaces(matcher_, {reference_.get()}, session, options_, {}, constraints, stop), options_,
+                 circumstances);
   }
 
   belief::Answer match(const grid::OccupancyGrid& session, const belief::Circumstances& circumstances,
                        const work::Deadline& deadline) const {
-    return judge(matcher_.match(*reference_, session, demandOf(options_), {}, deadline), options_, circumstances);
+    return judge(findPlaces(matcher_, {reference_.get()}, session, options_, {}, deadline), options_, circumstances);
   }
 
  private:

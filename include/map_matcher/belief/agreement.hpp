@@ -5,8 +5,9 @@
 #include <optional>
 
 #include "map_matcher/belief/evidence.hpp"
+#include "map_matcher/belief/findings.hpp"
+#include "map_matcher/belief/known_place.hpp"
 #include "map_matcher/belief/match_options.hpp"
-#include "map_matcher/search/search_result.hpp"
 
 namespace map_matcher::belief {
 
@@ -19,13 +20,17 @@ enum class Standing {
 };
 
 /// `alignment` and `contender` as in Circumstances. Two poses are of one place up to distinct_distance and
-/// distinct_angle.
-Standing standingOf(const search::SearchResult& result, const search::SearchOptions& options,
-                    const std::optional<grid::Rigid2>& alignment, const std::optional<grid::Rigid2>& contender);
+/// distinct_angle, in one reference map.
+Standing standingOf(const Findings& findings, const search::SearchOptions& options,
+                    const std::optional<KnownPlace>& alignment, const std::optional<KnownPlace>& contender);
+
+/// Whether a candidate is that place.
+bool isAt(const Candidate& candidate, const Eigen::Vector2d& session_centre, const KnownPlace& place,
+          const search::SearchOptions& options);
 
 /// "agreement": the distance [m] from the place of an earlier map. Against the place (kUnconfirmed) when it contradicts
 /// and options.belief.confirm_relocation is set.
-Evidence agreementEvidence(const search::SearchResult& result, const MatchOptions& options, Standing standing,
-                           const std::optional<grid::Rigid2>& alignment);
+Evidence agreementEvidence(const Findings& findings, const MatchOptions& options, Standing standing,
+                           const std::optional<KnownPlace>& alignment);
 
 }  // namespace map_matcher::belief

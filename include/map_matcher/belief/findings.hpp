@@ -26,8 +26,9 @@ struct Findings {
   /// it was.
   search::SearchResult search;
   std::size_t map = 0;                ///< The number of that reference map.
-  std::vector<Candidate> candidates;  ///< Those of an exact search, the one worth most first.
+  std::vector<Candidate> candidates{};  ///< Those of an exact search, the one worth most first.
   double elsewhere_bound = 1.0;       ///< No other place in any of the maps is worth more; proven.
+  std::vector<search::SearchResult> results{};  ///< Of all the reference maps, by their numbers; of an exact search.
   bool followed = false;              ///< Whether only the place in use was looked at, without a proof.
 };
 

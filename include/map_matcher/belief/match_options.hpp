@@ -15,11 +15,7 @@ struct MatchOptions {
   BeliefOptions belief;
 };
 
-/// Smallest share of hits that is an answer: the larger one of search.coarse.acceptance_ratio and belief.min_hit_ratio.
-/// The acceptance ratio is meant for cells on walls, and more of them lie near walls than on them.
-double smallestHitRatio(const MatchOptions& options);
-
-/// What the judge has to know of a search: all that reaches smallestHitRatio(), and what comes within min_margin of it.
+/// What the judge has to know of a search: all that reaches min_hit_ratio, and what comes within min_margin of the best.
 search::Demand demandOf(const MatchOptions& options);
 
 /// The parameters that fill `options`, by the names they have in config/map_matcher.yaml.

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <string>
 
+#include "map_matcher/belief/evidence.hpp"
 #include "map_matcher/grid/rigid2.hpp"
 
 namespace map_matcher::belief {
@@ -20,5 +21,15 @@ struct Prior {
 /// its pose in the session map is `T_session_base`.
 Prior priorOfRobot(const grid::Rigid2& T_reference_base, const Eigen::Matrix3d& covariance,
                    const grid::Rigid2& T_session_base, const std::string& source);
+
+/// By how much more a place is worth where somebody says that the session lies: it decides between places that fit
+/// equally well, and loses against one that fits better.
+constexpr double kPriorWorth = 0.15;
+
+/// Whether somebody may have meant a place: within the deviations that 99 % of such poses have.
+bool agrees(const Prior& prior, const grid::Rigid2& T_reference_session);
+
+/// "prior": whether it speaks for the place, which it never does against.
+Evidence priorEvidence(const Prior& prior, const grid::Rigid2& T_reference_session);
 
 }  // namespace map_matcher::belief

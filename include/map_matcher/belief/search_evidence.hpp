@@ -3,6 +3,7 @@
 #pragma once
 
 #include "map_matcher/belief/evidence.hpp"
+#include "map_matcher/belief/findings.hpp"
 #include "map_matcher/belief/match_options.hpp"
 #include "map_matcher/search/search_result.hpp"
 
@@ -17,12 +18,12 @@ Evidence ratioEvidence(const search::SearchResult& result, const MatchOptions& o
 /// (kNotCertified) unless it is certified.
 Evidence proofEvidence(const search::SearchResult& result, const MatchOptions& options);
 
-/// "hit_ratio", held against smallestHitRatio(). Against the place (kBelowAcceptanceRatio) when there is none, proven.
+/// "hit_ratio", held against min_hit_ratio. Against the place (kBelowAcceptanceRatio) when there is none, proven.
 Evidence hitEvidence(const search::SearchResult& result, const MatchOptions& options);
 
-/// "margin" to the best place elsewhere, held against min_margin. Against the place when a place elsewhere is too near
-/// (kAmbiguous), or none is known to be but that is not proven (kNotCertified); silent instead where the place is that
-/// of an earlier map (`follows`).
-Evidence marginEvidence(const search::SearchResult& result, const MatchOptions& options, bool follows);
+/// "margin", by how much the place is worth more than the best place elsewhere, held against min_margin. Against the
+/// place when a place elsewhere is too near (kAmbiguous), or none is known to be but that is not proven
+/// (kNotCertified); silent instead where the place is that of an earlier map (`follows`).
+Evidence marginEvidence(const Findings& findings, const MatchOptions& options, bool follows);
 
 }  // namespace map_matcher::belief

@@ -8,13 +8,14 @@
 #include <string>
 
 #include "map_matcher/belief/answer.hpp"
+#include "map_matcher/belief/findings.hpp"
 #include "map_matcher/belief/judge.hpp"
+#include "map_matcher/belief/known_place.hpp"
 #include "map_matcher/belief/match_options.hpp"
+#include "map_matcher/belief/place_search.hpp"
 #include "map_matcher/belief/prior.hpp"
 #include "map_matcher/belief/session_map_traits.hpp"
 #include "map_matcher/grid/occupancy_grid.hpp"
-#include "map_matcher/search/reference.hpp"
-#include "map_matcher/search/search_result.hpp"
 
 namespace map_matcher::belief {
 
@@ -25,10 +26,22 @@ enum class Broadcast {
   kWithdraw,  ///< It is not to be broadcast any more.
 };
 
+/// How a session stands.
+enum class SessionState {
+  kSearching,  ///< No place is known.
+  kTentative,  ///< A place is, and the next map that finds it too is matched.
+  kLocalized,  ///< An alignment is in use.
+  kLost,       ///< An alignment was in use, but the robot is not where it says.
+};
+
+/// "searching", "tentative", "localized" or "lost".
+const char* toString(SessionState state);
+
 /// What came of a session map.
 struct Decision {
   Answer answer;
   Broadcast broadcast = Broadcast::kKeep;
+  SessionState state = SessionState::kSearching;
 };
 
 /// Takes the maps of a session and what the search says of them, in their order, and decides what is believed and
@@ -44,16 +57,23 @@ class SessionTracker {
   /// nothing of it is to be broadcast any more: the reason why it does; else "".
   std::string arrive(const SessionMapTraits& traits);
 
-  /// What the search said of `map`, the one that came last. `robot` is where the robot was in it at the map's stamp [m,
-  /// session map frame]; nothing: not known. A map that comes twice says nothing new: it does not confirm itself.
-  Decision conclude(const search::SearchResult& result, const search::Reference& reference,
-                    const grid::OccupancyGrid& map, const std::optional<Eigen::Vector2d>& robot);
+  /// Where the next map is to be looked for first: in the place in use, unless it is time for a proof.
+  Plan plan() const;
 
-  /// T_reference_session of the last map that was matched, unless it was forgotten. It may have been withdrawn.
-  const std::optional<grid::Rigid2>& alignment() const { return alignment_; }
+  /// What findPlaces() said of `map`, the one that came last, in `maps`. `robot` is where the robot was in it at the
+  /// map's stamp [m, session map frame]; nothing: not known. A map that comes twice says nothing new: it does not
+  /// confirm itself.
+  Decision conclude(const Findings& findings, const ReferenceMaps& maps, const grid::OccupancyGrid& map,
+                    const std::optional<Eigen::Vector2d>& robot);
 
-  /// Somebody says where the session lies, until all is forgotten or another one says otherwise.
-  void suppose(const Prior& prior) { prior_ = prior; }
+  SessionState state() const;
+
+  /// The place of the last map that was matched, unless it was forgotten. It may have been withdrawn.
+  const std::optional<KnownPlace>& alignment() const { return alignment_; }
+
+  /// Somebody says where the session lies, until all is forgotten or another one says otherwise. A place in use that
+  /// they do not mean has to prove itself anew, and keeps being broadcast meanwhile.
+  void suppose(const Prior& prior);
 
   /// What was supposed last.
   const std::optional<Prior>& prior() const { return prior_; }
@@ -62,20 +82,28 @@ class SessionTracker {
   void reset();
 
  private:
-  Broadcast remember(const Answer& answer, std::uint64_t digest);
+  Findings weigh(const Findings& findings) const;
+  Circumstances circumstancesOf(const Findings& findings, const ReferenceMaps& maps, const grid::OccupancyGrid& map,
+                                const std::optional<Eigen::Vector2d>& robot, std::uint64_t digest) const;
+  Broadcast remember(const Findings& findings, const Answer& answer, std::uint64_t digest);
+  void forgetDoubts();
 
-  /// A place at odds with the alignment, which the next map may confirm.
-  struct Contender {
-    grid::Rigid2 T_reference_session;
+  /// A place that another map has to confirm.
+  struct Unconfirmed {
+    KnownPlace place;
     std::uint64_t digest = 0;  // of the map that spoke for it
   };
 
   MatchOptions options_;
   std::optional<SessionMapTraits> last_map_;
-  std::optional<grid::Rigid2> alignment_;
-  std::optional<Contender> contender_;
+  std::optional<KnownPlace> alignment_;
+  std::optional<Unconfirmed> contender_;  // at odds with the alignment
+  std::optional<Unconfirmed> tentative_;  // not likely enough on its own
   std::optional<Prior> prior_;
   bool robot_was_lost_ = false;
+  double worth_ = 0.0;        // of the alignment, by the last map
+  double probability_ = 0.0;  // of the alignment, by the last proof
+  int maps_since_proof_ = 0;
 };
 
 }  // namespace map_matcher::belief

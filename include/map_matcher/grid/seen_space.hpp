@@ -12,8 +12,8 @@ namespace map_matcher::grid {
 
 /// What a map says of a place.
 enum class Seen : std::uint8_t {
-  kUnknown,   ///< Nothing, or nothing that is sure.
-  kFree,      ///< There is no wall, nor one within SeenSpace::kNear.
+  kUnseen,   ///< Nothing, or nothing that is sure.
+  kOpen,      ///< There is no wall, nor one within SeenSpace::kNear.
   kNearWall,  ///< There is a wall within SeenSpace::kNear.
 };
 

@@ -186,15 +186,15 @@ void MapMatcherServer::submitMatch(const Answer& answer) {
     }
   };
   worker_.submit(
-      [this, finish, session = session_, reference = reference_](const work::StopToken& stop) {
-        search::SearchResult result;
+      [this, finish, session = session_, reference = reference_, plan = tracker_.plan()](const work::StopToken& stop) {
+        belief::Findings findings;
         std::optional<MapMatch> refused = reference ? refuseEqualFrames(*reference, *session) : noReferenceReport();
         if (!refused) {
-          result = matcher_.match(reference->map, session->grid, demandOf(tracker_.options()), {}, stop);
+          findings = findPlaces(matcher_, {&reference->map}, session->grid, tracker_.options(), plan, {}, stop);
         }
         const std::lock_guard<std::mutex> lock(mutex_);
         if (!stop.stopRequested()) {
-          MapMatch report = refused ? *refused : conclude(*session, reference, result);
+          MapMatch report = refused ? *refused : conclude(*session, reference, findings);
           finish(report);
         }
       },
@@ -209,12 +209,13 @@ void MapMatcherServer::submitMatch(const Answer& answer) {
 
 /// What is believed after a search, and broadcast.
 MapMatch MapMatcherServer::conclude(const SessionMap& session, const ReferenceMapPtr& reference,
-                                    const search::SearchResult& result) {
+                                    const belief::Findings& findings) {
   const RobotPose robot = robot_.atOrShortlyBefore(session.frame, session.stamp);
   record_.robot_unknown = robot.reason;
   const auto place =
       robot.T_session_base ? std::optional<Eigen::Vector2d>(robot.T_session_base->translation()) : std::nullopt;
-  const belief::Decision decision = tracker_.conclude(result, reference->map, session.grid, place);
+  const belief::Decision decision = tracker_.conclude(findings, {&reference->map}, session.grid, place);
+  const search::SearchResult& result = decision.answer.search;
   MapMatch report = toMessage(decision.answer);
   fillFrames(report, reference, session.frame, session.stamp);
   switch (decision.broadcast) {
@@ -240,6 +241,8 @@ MapMatch MapMatcherServer::conclude(const SessionMap& session, const ReferenceMa
 /// Publishes and logs what came of a map.
 void MapMatcherServer::tellReport(MapMatch& report) {
   dropped_session_maps_ += isUnusable(report) ? 1 : 0;
+  report.state = stateConstant(tracker_.state());
+  report.state_text = toString(tracker_.state());
   complete(report);
   record_.add(report);
   map_match_publisher_.publish(report);

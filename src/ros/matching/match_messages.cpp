@@ -1,6 +1,7 @@
 #include "map_matcher/ros/matching/match_messages.hpp"
 
 #include <Eigen/Core>
+#include <limits>
 
 #include "map_matcher/grid/pose_covariance.hpp"
 #include "map_matcher/ros/common/conversions.hpp"
@@ -27,6 +28,8 @@ std::uint8_t statusConstant(belief::MatchStatus status) {
       return MapMatch::NOT_CERTIFIED;
     case belief::MatchStatus::kAmbiguous:
       return MapMatch::AMBIGUOUS;
+    case belief::MatchStatus::kDoubtful:
+      return MapMatch::DOUBTFUL;
     case belief::MatchStatus::kUnconfirmed:
       return MapMatch::UNCONFIRMED;
     case belief::MatchStatus::kRobotLost:
@@ -90,6 +93,18 @@ Evidence toMessage(const belief::Evidence& piece) {
 
 using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+const grid::Rigid2 kNoPose{kNothing, kNothing, kNothing};
+const Eigen::Matrix3d kNoCovariance = Eigen::Matrix3d::Constant(kNothing);
+
+void fillPose(MapMatch& message, const grid::Rigid2& T_reference_session, const Eigen::Matrix3d& covariance) {
+  message.T_reference_session = ros_common::toTransformMessage(T_reference_session);
+  message.x = T_reference_session.x;
+  message.y = T_reference_session.y;
+  message.yaw = T_reference_session.yaw;
+  Eigen::Map<RowMajor>(message.covariance.data()) = covariance;
+}
+
 void fillCertificate(MapMatch& message, const search::SearchResult& result) {
   message.certified = result.certified;
   message.replaced = result.replaced;
@@ -123,19 +138,13 @@ MapMatch toMessage(const belief::Answer& answer) {
   message.status = statusConstant(answer.status);
   message.status_text = toString(answer.status);
   message.reason = answer.reason;
-  const grid::Rigid2 T_reference_session = answer.alignment().value_or(grid::Rigid2{});
-  message.T_reference_session = ros_common::toTransformMessage(T_reference_session);
-  message.x = T_reference_session.x;
-  message.y = T_reference_session.y;
-  message.yaw = T_reference_session.yaw;
-  if (answer.matched()) {
-    Eigen::Map<RowMajor>(message.covariance.data()) = result.covariance;
-  }
+  fillPose(message, answer.alignment().value_or(kNoPose), answer.matched() ? result.covariance : kNoCovariance);
   message.refined = result.refined;
   message.matched_cells = result.matched_cells;
   message.total_cells = result.total_cells;
   message.ratio = result.ratio;
   fillCertificate(message, result);
+  message.probability = answer.probability;
   fillSurroundings(message, answer.nearby);
   for (const belief::Evidence& piece : answer.evidence) {
     message.evidence.push_back(toMessage(piece));
@@ -148,12 +157,26 @@ MapMatch toMessage(const belief::Answer& answer) {
   return message;
 }
 
+std::uint8_t stateConstant(belief::SessionState state) {
+  switch (state) {
+    case belief::SessionState::kSearching:
+      break;
+    case belief::SessionState::kTentative:
+      return MapMatch::TENTATIVE;
+    case belief::SessionState::kLocalized:
+      return MapMatch::LOCALIZED;
+    case belief::SessionState::kLost:
+      return MapMatch::LOST;
+  }
+  return MapMatch::SEARCHING;
+}
+
 MapMatch refusal(std::uint8_t status, const std::string& reason) {
   MapMatch message;
   message.status = status;
   message.status_text = refusalText(status);
   message.reason = reason;
-  message.T_reference_session = ros_common::toTransformMessage(grid::Rigid2{});
+  fillPose(message, kNoPose, kNoCovariance);
   return message;
 }
 

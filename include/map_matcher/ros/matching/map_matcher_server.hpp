@@ -64,7 +64,7 @@ class MapMatcherServer {
   void forget(const std::string& service);
   std::optional<std::future<MapMatch>> matchSession();
   void submitMatch(const Answer& answer);
-  MapMatch conclude(const SessionMap& session, const ReferenceMapPtr& reference, const search::SearchResult& result);
+  MapMatch conclude(const SessionMap& session, const ReferenceMapPtr& reference, const belief::Findings& findings);
   void tellReport(MapMatch& report);
   void tell(const MapMatch& report);
   void complete(MapMatch& report) const;

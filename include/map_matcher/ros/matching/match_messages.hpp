@@ -9,6 +9,7 @@
 #include <string>
 
 #include "map_matcher/belief/answer.hpp"
+#include "map_matcher/belief/session_tracker.hpp"
 
 namespace map_matcher::ros_matching {
 
@@ -18,6 +19,9 @@ MapMatch toMessage(const belief::Answer& answer);
 /// The answer for a map or a request that was not searched for. `status` is INVALID_MAP, EQUAL_FRAMES,
 /// INVALID_REQUEST or FAILED.
 MapMatch refusal(std::uint8_t status, const std::string& reason);
+
+/// The constant of MapMatch for a state.
+std::uint8_t stateConstant(belief::SessionState state);
 
 /// The robot's pose in the reference map, given its pose in the session map, with the covariance of the match
 /// (SearchResult::covariance) carried over. z, roll and pitch, which are zero in a plane, have none. `match.status` is
