@@ -167,21 +167,26 @@ int numDigits(std::uint32_t number) {
   return digits;
 }
 
+TileMask maskOf(const TileSize& size) {
+  TileMask mask{};
+  std::fill_n(mask.begin(), size.columns, static_cast<TileWord>((1U << static_cast<unsigned>(size.rows)) - 1U));
+  return mask;
+}
+
 /// Counting one tile.
 class TileCounting {
  public:
   TileCounting(const ScoreKernel::Functions& functions, const PooledLevel& level, const grid::Cell& first,
-               const TileSize& size, std::int32_t total, std::int32_t min_count)
+               const TileMask& wanted, std::int32_t total, std::int32_t min_count)
       : functions_(functions),
         level_(level),
         first_(first),
         total_(total),
         rest_(total),
-        min_count_(std::max(0, min_count)) {
+        min_count_(std::max(0, min_count)),
+        wanted_(wanted) {
     counts_.size = numDigits(static_cast<std::uint32_t>(total));
     std::fill_n(counts_.digits.begin(), std::min(kMaxDigits, counts_.size + kLargeTree), TileBits{});
-    const auto rows = static_cast<TileWord>((1U << static_cast<unsigned>(size.rows)) - 1U);
-    std::fill_n(wanted_.begin(), size.columns, rows);
   }
 
   /// Counts cells that count `weight` times each, a power of two, until min_count is out of reach.
@@ -259,7 +264,7 @@ class TileCounting {
   std::int32_t rest_;   // that the cells to come add at most
   std::int32_t min_count_;
   TileCounts counts_;
-  TileBits wanted_{};
+  TileMask wanted_;
   TileBits reaching_{};
 };
 
@@ -284,7 +289,7 @@ void ScoreKernel::scoreTile(const PooledLevel& level, const RotatedCells& cells,
                             const TileSize& size, std::int32_t min_count, std::vector<TileScore>& scores) const {
   scores.clear();
   const auto total = static_cast<std::int32_t>(cells.x.size());
-  TileCounting counting(*functions_, level, first, size, total, min_count);
+  TileCounting counting(*functions_, level, first, maskOf(size), total, min_count);
   if (counting.add(cells.x.data(), cells.y.data(), cells.x.size(), 1)) {
     counting.collect(scores);
   }
@@ -292,8 +297,13 @@ void ScoreKernel::scoreTile(const PooledLevel& level, const RotatedCells& cells,
 
 void ScoreKernel::scoreTile(const PooledLevel& level, const WeightedCells& cells, const grid::Cell& first,
                             const TileSize& size, std::int32_t min_count, std::vector<TileScore>& scores) const {
+  scorePart(level, cells, first, maskOf(size), min_count, scores);
+}
+
+void ScoreKernel::scorePart(const PooledLevel& level, const WeightedCells& cells, const grid::Cell& first,
+                            const TileMask& wanted, std::int32_t min_count, std::vector<TileScore>& scores) const {
   scores.clear();
-  TileCounting counting(*functions_, level, first, size, cells.total, min_count);
+  TileCounting counting(*functions_, level, first, wanted, cells.total, min_count);
   std::size_t begin = 0;
   for (const WeightedCells::Run& run : cells.runs) {
     if (!counting.add(&cells.cells.x[begin], &cells.cells.y[begin], run.size, run.weight)) {
@@ -306,7 +316,7 @@ void ScoreKernel::scoreTile(const PooledLevel& level, const WeightedCells& cells
 
 std::int32_t ScoreKernel::bestCount(const PooledLevel& level, const RotatedCells& cells, const grid::Cell& first,
                                     const TileSize& size) const {
-  TileCounting counting(*functions_, level, first, size, static_cast<std::int32_t>(cells.x.size()), 0);
+  TileCounting counting(*functions_, level, first, maskOf(size), static_cast<std::int32_t>(cells.x.size()), 0);
   counting.add(cells.x.data(), cells.y.data(), cells.x.size(), 1);
   return counting.best();
 }

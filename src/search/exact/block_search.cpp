@@ -4,17 +4,24 @@
 #include <array>
 #include <cstddef>
 #include <tuple>
+#include <utility>
 
 namespace map_matcher::search {
 namespace {
 
-/// Levels that one expansion goes down, at most 3, so that the children fit into a tile.
-constexpr int kLevelsAtOnce = 1;
+/// Nodes along either axis of the part of a map whose nodes are expanded at once: their children are one tile.
+constexpr int kGroupColumns = kTileColumns / 2;
+constexpr int kGroupRows = kTileRows / 2;
 
-/// The window with its first translation on the grain of a level.
-SearchWindow onGrain(const SearchWindow& window, const BlockShape& shape) {
-  const int mask = ~(shape.grain() - 1);
+/// The window with its first translation on the stride of a level, so that nodes lie side by side in groups.
+SearchWindow onStride(const SearchWindow& window, const BlockShape& shape) {
+  const int mask = ~(shape.stride() - 1);
   return {{window.first.x & mask, window.first.y & mask}, window.last};
+}
+
+/// The first translation of the group that a node belongs to.
+grid::Cell groupOf(const SearchNode& node) {
+  return {node.first.x & -(kGroupColumns << node.level), node.first.y & -(kGroupRows << node.level)};
 }
 
 }  // namespace
@@ -27,7 +34,7 @@ bool BlockSearch::scoreRoots(RotationBlock& block, std::int32_t min_count) {
   const BlockShape shape{levels_.sieve};
   const SearchWindow reachable =
       reachableWindow(problem_.reference, shape, cellsOf(shape, block.first_rotation), min_count);
-  const SearchWindow window = onGrain(intersection(windowOf(block.first_rotation, shape), reachable), shape);
+  const SearchWindow window = onStride(intersection(windowOf(block.first_rotation, shape), reachable), shape);
   const bool complete = levels_.sieve > levels_.nodes
                             ? scoreWhereAnythingIs(block.first_rotation, window, min_count, block.roots)
                             : scoreWindow(block.first_rotation, window, min_count, block.roots);
@@ -83,7 +90,7 @@ bool BlockSearch::scoreWhereAnythingIs(int first_rotation, const SearchWindow& w
         const SearchWindow here = intersection(intersection({part, {part.x + tile.x - 1, part.y + tile.y - 1}}, window),
                                                windowOf(rotation, half));
         if (anything[static_cast<std::size_t>(k % 4)] && rotation < problem_.rotations.count() &&
-            !scoreWindow(rotation, onGrain(here, half), min_count, roots)) {
+            !scoreWindow(rotation, onStride(here, half), min_count, roots)) {
           return false;
         }
       }
@@ -110,12 +117,34 @@ void BlockSearch::enter(const RotationBlock& block) {
   first_rotation_ = block.first_rotation;
 }
 
+/// Depth first, the best group of nodes first.
 std::int32_t BlockSearch::searchBelow(const RotationBlock& block, Incumbent& incumbent) {
   enter(block);
-  for (std::size_t k = 0; k < block.roots.size() && block.roots[k].bound >= incumbent.threshold(); ++k) {
-    const std::int32_t rest = searchBelow(nodeOf(block.roots[k]), incumbent);
-    if (rest > 0) {
-      return std::max(rest, boundOf(block, incumbent, k + 1));
+  groups_.clear();
+  std::vector<SearchNode> nodes;
+  for (const RootNode& root : block.roots) {
+    if (root.bound < incumbent.threshold()) {  // the best first
+      break;
+    }
+    nodes.push_back(nodeOf(root));
+  }
+  addGroups(nodes);
+  while (!groups_.empty()) {
+    NodeGroup group = std::move(groups_.back());
+    groups_.pop_back();
+    group.nodes.erase(std::remove_if(group.nodes.begin(), group.nodes.end(),
+                                     [&](const SearchNode& node) { return incumbent.prunes(node); }),
+                      group.nodes.end());
+    if (group.nodes.empty()) {
+      continue;
+    }
+    if (group.nodes.front().level == 0) {
+      offer(group.nodes, incumbent);
+    } else if (settings_.deadline.passed()) {
+      groups_.push_back(std::move(group));
+      return boundOfRest(incumbent);
+    } else {
+      expand(group, incumbent);
     }
   }
   return 0;
@@ -140,66 +169,87 @@ SearchWindow BlockSearch::windowOf(int first_rotation, const BlockShape& shape) 
   return window;
 }
 
-/// Depth first, the best child first. Bound of what the deadline left, 0 for nothing.
-std::int32_t BlockSearch::searchBelow(const SearchNode& root, Incumbent& incumbent) {
-  nodes_.assign(1, root);
-  while (!nodes_.empty()) {
-    const SearchNode node = nodes_.back();
-    nodes_.pop_back();
-    if (incumbent.prunes(node)) {
-      continue;
-    }
-    if (node.level == 0) {
-      incumbent.offer({node.rotation, node.first, node.bound});
-      continue;
-    }
-    if (settings_.deadline.passed()) {
-      nodes_.push_back(node);
-      return boundOfRest(incumbent);
-    }
-    expand(node, incumbent.threshold());
-  }
-  return 0;
-}
-
 /// Bound of the nodes at hand that the incumbent does not prune, 0 for none.
 std::int32_t BlockSearch::boundOfRest(const Incumbent& incumbent) const {
   std::int32_t bound = 0;
-  for (const SearchNode& node : nodes_) {
-    bound = incumbent.prunes(node) ? bound : std::max(bound, node.bound);
+  for (const NodeGroup& group : groups_) {
+    for (const SearchNode& node : group.nodes) {
+      bound = incumbent.prunes(node) ? bound : std::max(bound, node.bound);
+    }
   }
   return bound;
 }
 
-/// Adds the nodes kLevelsAtOnce levels below that reach `min_count`, the best last.
-void BlockSearch::expand(const SearchNode& node, std::int32_t min_count) {
-  ++nodes_expanded_;
-  const BlockShape shape{std::max(0, node.level - kLevelsAtOnce)};
-  const int end = std::min(problem_.rotations.count(), node.rotation + (1 << node.level));
-  const auto first_child = static_cast<std::ptrdiff_t>(nodes_.size());
-  for (int rotation = node.rotation; rotation < end; rotation += shape.stride()) {
-    addChildren(node, shape, rotation, min_count);
+void BlockSearch::offer(const std::vector<SearchNode>& poses, Incumbent& incumbent) {
+  for (const SearchNode& pose : poses) {
+    if (!incumbent.prunes(pose)) {
+      incumbent.offer({pose.rotation, pose.first, pose.bound});
+    }
   }
-  std::sort(nodes_.begin() + first_child, nodes_.end(), [](const SearchNode& a, const SearchNode& b) {
-    return std::make_tuple(-a.bound, a.rotation, a.first.y, a.first.x) >
-           std::make_tuple(-b.bound, b.rotation, b.first.y, b.first.x);
+}
+
+/// Adds the groups of some nodes of a level, the best last.
+void BlockSearch::addGroups(std::vector<SearchNode>& nodes) {
+  const auto placeOf = [](const SearchNode& node) {
+    const grid::Cell first = groupOf(node);
+    return std::make_tuple(node.rotation, first.y, first.x);
+  };
+  std::sort(nodes.begin(), nodes.end(), [&](const SearchNode& a, const SearchNode& b) {
+    return std::make_tuple(placeOf(a), -a.bound, a.first.y, a.first.x) <
+           std::make_tuple(placeOf(b), -b.bound, b.first.y, b.first.x);
+  });
+  const auto first_group = static_cast<std::ptrdiff_t>(groups_.size());
+  for (auto first = nodes.cbegin(); first != nodes.cend();) {
+    const auto end =
+        std::find_if(first, nodes.cend(), [&](const SearchNode& node) { return placeOf(node) != placeOf(*first); });
+    groups_.push_back({{first, end}});
+    first = end;
+  }
+  std::stable_sort(groups_.begin() + first_group, groups_.end(), [](const NodeGroup& a, const NodeGroup& b) {
+    return a.nodes.front().bound < b.nodes.front().bound;
   });
 }
 
-/// Adds those of the node's children under a rotation that reach `min_count`.
-void BlockSearch::addChildren(const SearchNode& node, const BlockShape& shape, int rotation, std::int32_t min_count) {
-  const int children = 1 << (node.level - shape.level);  // along an axis
-  nodes_scored_ += children * children;
-  settings_.kernel.scoreTile(problem_.reference.level(shape.level), cellsOf(shape, rotation),
-                             problem_.reference.position(shape.level, node.first), {children, children}, min_count,
-                             scores_);
+/// Adds the children of a group's nodes that the incumbent does not prune. Counting a tile of them takes as long as
+/// counting those of one node.
+void BlockSearch::expand(const NodeGroup& group, Incumbent& incumbent) {
+  const SearchNode& node = group.nodes.front();
+  const BlockShape shape{node.level - 1};
+  const grid::Cell first = groupOf(node);
+  TileMask children{};
+  for (const SearchNode& parent : group.nodes) {
+    const auto column = static_cast<std::size_t>((parent.first.x - first.x) >> shape.level);
+    const int row = (parent.first.y - first.y) >> shape.level;
+    children[column] = static_cast<TileWord>(children[column] | 3 << row);
+    children[column + 1] = static_cast<TileWord>(children[column + 1] | 3 << row);
+  }
+  nodes_expanded_ += static_cast<std::int64_t>(group.nodes.size());
+  const int end = std::min(problem_.rotations.count(), node.rotation + (1 << node.level));
+  children_.clear();
+  for (int rotation = node.rotation; rotation < end; rotation += shape.stride()) {
+    nodes_scored_ += 4 * static_cast<std::int64_t>(group.nodes.size());
+    settings_.kernel.scorePart(problem_.reference.level(shape.level), cellsOf(shape, rotation),
+                               problem_.reference.position(shape.level, first), children, incumbent.threshold(),
+                               scores_);
+    addChildren(shape, rotation, first, incumbent);
+  }
+  addGroups(children_);
+}
+
+/// Takes those nodes of the last tile that lie in the window of their rotation and that the incumbent does not prune.
+void BlockSearch::addChildren(const BlockShape& shape, int rotation, const grid::Cell& first,
+                              const Incumbent& incumbent) {
   const SearchWindow window = windowOf(rotation, shape);
   for (const TileScore& score : scores_) {
-    const grid::Cell child{node.first.x + score.column * shape.stride(), node.first.y + score.row * shape.stride()};
-    const bool inside = child.x <= window.last.x && child.y <= window.last.y &&
-                        child.x + shape.stride() > window.first.x && child.y + shape.stride() > window.first.y;
-    if (inside) {
-      nodes_.push_back({score.count, rotation, child, shape.level});
+    const SearchNode child{score.count,
+                           rotation,
+                           {first.x + score.column * shape.stride(), first.y + score.row * shape.stride()},
+                           shape.level};
+    const bool inside = child.first.x <= window.last.x && child.first.y <= window.last.y &&
+                        child.first.x + shape.stride() > window.first.x &&
+                        child.first.y + shape.stride() > window.first.y;
+    if (inside && !incumbent.prunes(child)) {
+      children_.push_back(child);
     }
   }
 }

@@ -35,6 +35,11 @@ struct RotationBlock {
   std::optional<std::int32_t> rest;  // bound of what a search below them left, 0 for nothing; none: it was not begun
 };
 
+/// Nodes of a level and a rotation, of a part of the map whose nodes are expanded at once; the best first.
+struct NodeGroup {
+  std::vector<SearchNode> nodes;
+};
+
 /// Work of one thread: scores initial nodes and searches below them, block by block.
 class BlockSearch {
  public:
@@ -64,10 +69,11 @@ class BlockSearch {
   bool scoreTile(const BlockShape& shape, int rotation, const grid::Cell& first, const TileSize& size,
                  std::int32_t min_count);
   SearchNode nodeOf(const RootNode& root) const { return {root.bound, root.rotation, root.first, levels_.nodes}; }
-  std::int32_t searchBelow(const SearchNode& root, Incumbent& incumbent);
   std::int32_t boundOfRest(const Incumbent& incumbent) const;
-  void expand(const SearchNode& node, std::int32_t min_count);
-  void addChildren(const SearchNode& node, const BlockShape& shape, int rotation, std::int32_t min_count);
+  static void offer(const std::vector<SearchNode>& poses, Incumbent& incumbent);
+  void addGroups(std::vector<SearchNode>& nodes);
+  void expand(const NodeGroup& group, Incumbent& incumbent);
+  void addChildren(const BlockShape& shape, int rotation, const grid::Cell& first, const Incumbent& incumbent);
   const WeightedCells& cellsOf(const BlockShape& shape, int rotation);
 
   const ExactProblem& problem_;
@@ -76,7 +82,8 @@ class BlockSearch {
   std::vector<TileScore> scores_;  // of the last tile
   int first_rotation_ = 0;
   std::vector<std::optional<WeightedCells>> block_cells_;
-  std::vector<SearchNode> nodes_;
+  std::vector<NodeGroup> groups_;     // to be expanded, the next one last
+  std::vector<SearchNode> children_;  // of the last group
   std::int64_t nodes_scored_ = 0;
   std::int64_t nodes_expanded_ = 0;
 };

@@ -12,9 +12,9 @@ constexpr int kSampledBlocks = 6;
 
 // What one of the points that stand for the session costs in each step, in nanoseconds of one core; only their ratios
 // matter (benchmark: BM_Certified).
-constexpr double kRotating = 3.0;             // rotating it, for a block
-constexpr double kScoringNode = 2.0 / 512.0;  // counting it for an initial node, one of a tile
-constexpr double kExpandingNode = 4.0;        // counting it for the children of a node
+constexpr double kRotating = 3.0;                                           // rotating it, for a block
+constexpr double kScoringTile = 2.0;                                        // counting it for a tile of nodes
+constexpr double kScoringNode = kScoringTile / (kTileColumns * kTileRows);  // for an initial node, one of a tile
 
 /// Expected cost of the whole search at a level.
 struct LevelCost {
@@ -37,22 +37,23 @@ LevelCost costOf(const ExactProblem& problem, const ExactSettings& settings, int
   const int num_blocks = (problem.rotations.count() + shape.stride() - 1) / shape.stride();
   const int num_sampled = std::min(kSampledBlocks, num_blocks);
   BlockSearch search(problem, settings, {level, level});
-  double promising = 0.0;
+  double promising_blocks = 0.0;
   double tiles = 0.0;
   for (int k = 0; k < num_sampled; ++k) {
     RotationBlock block;
     block.first_rotation = num_blocks * (2 * k + 1) / (2 * num_sampled) * shape.stride();
     search.scoreRoots(block, min_count);
-    promising += static_cast<double>(block.roots.size());
+    promising_blocks += block.roots.empty() ? 0.0 : 1.0;
     tiles += static_cast<double>(promisingTiles(block, level));
   }
   const double here = problem.rotations.numPoints(shape);
   const double below = problem.rotations.numPoints(BlockShape{level - 1});
   const double share = static_cast<double>(num_blocks) / std::max(1, num_sampled);
+  const double expanding = 2.0 * below * (promising_blocks * kRotating + tiles * kScoringTile);  // two rotations
   const auto scored = static_cast<double>(search.nodesScored());
   constexpr double kNodesOfTile = kTileColumns * kTileRows / 4.0;  // of which one a level below has as many
-  return {share * (num_sampled * here * kRotating + scored * here * kScoringNode),
-          share * promising * below * kExpandingNode, std::min(1.0, tiles * kNodesOfTile / std::max(1.0, scored))};
+  return {share * (num_sampled * here * kRotating + scored * here * kScoringNode), share * expanding,
+          std::min(1.0, tiles * kNodesOfTile / std::max(1.0, scored))};
 }
 
 }  // namespace
@@ -65,6 +66,9 @@ RootLevels cheapestRootLevels(const ExactProblem& problem, const ExactSettings& 
   double best_cost = std::numeric_limits<double>::infinity();  // without the levels below the one just sampled
   LevelCost above{best_cost, 0.0, 1.0};
   for (int level = top; level >= 1 && !settings.deadline.passed(); --level) {
+    if (level < top && above.roots >= best_cost) {  // the initial nodes of this level cost more than those above
+      break;
+    }
     const LevelCost cost = costOf(problem, settings, level, min_count);
     const double sieved = above.roots + above.promising * cost.roots;
     const double roots = std::min(cost.roots, sieved);

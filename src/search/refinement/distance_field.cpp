@@ -99,23 +99,26 @@ DistanceField::Sample DistanceField::at(const Eigen::Vector2d& position) const {
   const int row = static_cast<int>(y);
   const double u = x - column;
   const double v = y - row;
-  const Derivatives derivatives =
-      (1.0 - v) * ((1.0 - u) * derivativesAt(column, row) + u * derivativesAt(column + 1, row)) +
-      v * ((1.0 - u) * derivativesAt(column, row + 1) + u * derivativesAt(column + 1, row + 1));
-  sample.gradient = derivatives.head<2>();
-  sample.curvature << derivatives[2], derivatives[3], derivatives[3], derivatives[4];
+  // Of the rows below, at, above and two above the position: interpolated along x, with derivatives along it.
+  double value[4];
+  double slope[4];
+  double bend[2];
+  const float* cell = &values_[static_cast<std::size_t>(row - 1) * static_cast<std::size_t>(width_) +
+                               static_cast<std::size_t>(column - 1)];
+  for (int k = 0; k < 4; ++k, cell += width_) {
+    const double steps[3] = {cell[1] - cell[0], cell[2] - cell[1], cell[3] - cell[2]};
+    value[k] = cell[1] + u * steps[1];
+    slope[k] = 0.5 * ((1.0 - u) * (steps[0] + steps[1]) + u * (steps[1] + steps[2]));
+    if (k == 1 || k == 2) {
+      bend[k - 1] = (1.0 - u) * (steps[1] - steps[0]) + u * (steps[2] - steps[1]);
+    }
+  }
+  const auto along_y = [v](double lower, double upper) { return (1.0 - v) * lower + v * upper; };
+  sample.gradient = {along_y(slope[1], slope[2]), 0.5 * along_y(value[2] - value[0], value[3] - value[1])};
+  const double xy = 0.5 * along_y(slope[2] - slope[0], slope[3] - slope[1]);
+  const double yy = along_y(value[2] - 2.0 * value[1] + value[0], value[3] - 2.0 * value[2] + value[1]);
+  sample.curvature << along_y(bend[0], bend[1]), xy, xy, yy;
   return sample;
-}
-
-DistanceField::Derivatives DistanceField::derivativesAt(int column, int row) const {
-  const float* here =
-      &values_[static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(column)];
-  const float* below = here - width_;
-  const float* above = here + width_;
-  Derivatives derivatives;
-  derivatives << 0.5F * (here[1] - here[-1]), 0.5F * (above[0] - below[0]), here[1] - 2.0F * here[0] + here[-1],
-      0.25F * (above[1] - above[-1] - below[1] + below[-1]), above[0] - 2.0F * here[0] + below[0];
-  return derivatives;
 }
 
 }  // namespace map_matcher::search

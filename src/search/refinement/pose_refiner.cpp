@@ -1,6 +1,7 @@
 #include "map_matcher/search/refinement/pose_refiner.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -9,7 +10,10 @@ namespace map_matcher::search {
 namespace {
 
 constexpr int kMaxSteps = 30;
-constexpr double kSmallStep = 1e-4;         // [cells], at which the steps end
+constexpr double kSmallStep = 1e-3;         // [cells], at which the steps end
+constexpr double kFirstSmallStep = 1e-2;    // [cells], at which those of a sample end
+constexpr std::size_t kFewCells = 4000;     // that the first steps look at, at least
+constexpr std::size_t kManyCells = 12000;   // that the last ones look at, at least: neighbours say the same
 constexpr double kCorrelationLength = 1.0;  // of the cells' errors, along a wall [m]
 /// Curvature for each cell, as a share of that across a wall, below which a direction is not told by the walls but by
 /// the steps that they are drawn in.
@@ -26,6 +30,47 @@ struct NormalEquations {
 
 double scaleOf(double tolerance, double resolution) { return std::max(tolerance / resolution, 1.0); }
 
+/// Makes use of the steps before: where walls are blurred, each step of Gauss and Newton leaves two thirds of the way
+/// to go, since it takes the weights for constant (Anderson's acceleration; Walker and Ni 2011).
+class Acceleration {
+ public:
+  /// The step to take from `position` where that of Gauss and Newton is `step`, both in cells.
+  Eigen::Vector3d accelerated(const Eigen::Vector3d& position, const Eigen::Vector3d& step) {
+    Eigen::Vector3d result = step;
+    if (has_last_) {
+      const Eigen::Index column = num_known_++ % kMemory;
+      moves_.col(column) = position - last_position_;
+      changes_.col(column) = step - last_step_;
+    }
+    const Eigen::Index size = std::min<Eigen::Index>(num_known_, kMemory);
+    if (size > 0) {
+      Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix3Xd> solver;
+      solver.setThreshold(kIndependent);
+      solver.compute(changes_.leftCols(size));
+      result -= (moves_ + changes_).leftCols(size) * solver.solve(step);
+    }
+    has_last_ = true;
+    last_position_ = position;
+    last_step_ = step;
+    const double longest = kLongest * step.norm();
+    return result.norm() > longest ? Eigen::Vector3d(result * (longest / result.norm())) : result;
+  }
+
+  /// Takes the next step for the first one of a problem much like the last one.
+  void beginAnew() { has_last_ = false; }
+
+ private:
+  static constexpr Eigen::Index kMemory = 3;    // as many as there are directions
+  static constexpr double kIndependent = 1e-2;  // of the steps' changes, below which one says nothing new
+  static constexpr double kLongest = 5.0;       // [steps of Gauss and Newton]
+  bool has_last_ = false;                       // a step to compare the next one with
+  Eigen::Index num_known_ = 0;
+  Eigen::Matrix3d moves_ = Eigen::Matrix3d::Zero();
+  Eigen::Matrix3d changes_ = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d last_position_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d last_step_ = Eigen::Vector3d::Zero();
+};
+
 class Refinement {
  public:
   Refinement(const DistanceField& walls, const SessionCells& session, const CentrePose& pose, double tolerance)
@@ -33,28 +78,46 @@ class Refinement {
 
   RefinedPose run() const {
     RefinedPose result;
-    Eigen::Vector2d position = start_.position / session_.resolution;
-    double angle = start_.angle;
+    const Eigen::Vector2d start = start_.position / session_.resolution;
+    const double arm = std::max(1.0, 0.5 * session_.diagonal);  // so that a turn is an arc [cells]
+    Eigen::Vector3d moved(0.0, 0.0, 0.0);
+    Acceleration acceleration;
+    std::size_t every = everyFor(kFewCells);
+    const std::size_t last_every = everyFor(kManyCells);
     for (int step = 0; step < kMaxSteps && !result.converged; ++step) {
-      const Eigen::Vector3d change = stepFrom(sumsAt(position, angle));
-      position += change.head<2>();
-      angle += change.z();
-      result.converged = change.head<2>().norm() + std::abs(change.z()) * 0.5 * session_.diagonal < kSmallStep;
-      if (!((position - start_.position / session_.resolution).norm() <= 3.0 * scale_)) {
+      const Eigen::Vector3d plain = Eigen::Vector3d(1.0, 1.0, arm).asDiagonal() *
+                                    stepFrom(sumsAt(start + moved.head<2>(), start_.angle + moved.z() / arm, every));
+      moved += acceleration.accelerated(moved, plain);
+      const double size = plain.head<2>().norm() + std::abs(plain.z());
+      result.converged = every == last_every && size < kSmallStep;
+      if (every > last_every && size < kFirstSmallStep) {
+        every = last_every;
+        acceleration.beginAnew();
+      }
+      if (!(moved.head<2>().norm() <= 3.0 * scale_)) {
         break;
       }
     }
-    result.pose = result.converged ? CentrePose{angle, position * session_.resolution} : start_;
+    result.pose = result.converged
+                      ? CentrePose{start_.angle + moved.z() / arm, (start + moved.head<2>()) * session_.resolution}
+                      : start_;
     result.covariance = covarianceAt(result.pose.position / session_.resolution, result.pose.angle);
     return result;
   }
 
  private:
-  NormalEquations sumsAt(const Eigen::Vector2d& position, double angle) const {
+  /// The largest step through the cells that takes `num_cells` of them or more.
+  std::size_t everyFor(std::size_t num_cells) const {
+    return std::max<std::size_t>(1, session_.points.size() / num_cells);
+  }
+
+  /// Of every `every`-th cell.
+  NormalEquations sumsAt(const Eigen::Vector2d& position, double angle, std::size_t every = 1) const {
     NormalEquations sums;
     const double c = std::cos(angle);
     const double s = std::sin(angle);
-    for (const Eigen::Vector2d& p : session_.points) {
+    for (std::size_t k = 0; k < session_.points.size(); k += every) {
+      const Eigen::Vector2d& p = session_.points[k];
       const Eigen::Vector2d arm(c * p.x() - s * p.y(), s * p.x() + c * p.y());
       const DistanceField::Sample sample = field_.at(position + arm);
       const double square = sample.gradient.squaredNorm();
@@ -113,11 +176,13 @@ class Refinement {
   }
 
   Eigen::Matrix3d covarianceAt(const Eigen::Vector2d& position, double angle) const {
-    const NormalEquations sums = sumsAt(position, angle);
+    const std::size_t every = everyFor(kManyCells);
+    const NormalEquations sums = sumsAt(position, angle, every);
     const Directions known = directionsOf(sums);
     const double noise = varianceOf(sums) * correlatedCells();
     const double prior = kPriorDeviation / session_.resolution;
-    const Eigen::Vector3d variances = (known.informations.array() / noise + 1.0 / (prior * prior)).inverse();
+    const Eigen::Vector3d variances =
+        (known.informations.array() * static_cast<double>(every) / noise + 1.0 / (prior * prior)).inverse();
     const Eigen::Vector3d units(session_.resolution, session_.resolution, 1.0 / known.arm);
     return units.asDiagonal() * known.directions * variances.asDiagonal() * known.directions.transpose() *
            units.asDiagonal();

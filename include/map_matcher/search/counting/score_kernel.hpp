@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -24,6 +25,9 @@ inline TileSize tileWithin(const grid::Cell& last, const grid::Cell& first, int 
   return {std::min(kTileColumns, (last.x - first.x) / stride + 1),
           std::min(kTileRows, (last.y - first.y) / stride + 1)};
 }
+
+/// Which translations of a tile are looked at: a word for each column, a bit for each row.
+using TileMask = std::array<TileWord, kTileColumns>;
 
 /// A translation of a tile and its matched cells.
 struct TileScore {
@@ -55,6 +59,10 @@ class ScoreKernel {
 
   /// The same for cells of which some count more than once.
   void scoreTile(const PooledLevel& level, const WeightedCells& cells, const grid::Cell& first, const TileSize& size,
+                 std::int32_t min_count, std::vector<TileScore>& scores) const;
+
+  /// The same for those of the translations that are `wanted`.
+  void scorePart(const PooledLevel& level, const WeightedCells& cells, const grid::Cell& first, const TileMask& wanted,
                  std::int32_t min_count, std::vector<TileScore>& scores) const;
 
   /// The largest count of a tile, the same as that of all its scores.

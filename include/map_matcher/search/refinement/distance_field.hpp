@@ -34,11 +34,6 @@ class DistanceField {
   Sample at(const Eigen::Vector2d& position) const;
 
  private:
-  using Derivatives = Eigen::Matrix<double, 5, 1>;  // along x, y, xx, xy, yy
-
-  /// Derivatives at the centre of a cell of the field that is not on its border.
-  Derivatives derivativesAt(int column, int row) const;
-
   int border_;  // of the field around the map [cells]
   int width_;   // with border [cells]
   int height_;
