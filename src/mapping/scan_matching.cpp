@@ -176,12 +176,20 @@ class ScanMatching {
 
   void judge(ScanMatch& match) {
     int at_walls = 0;
-    for (const Point& point : points_) {
+    const double width = narrowest();
+    const double most = kIndependent * 0.5 * width * width / (options_.sigma * options_.sigma);
+    for (Point& point : points_) {
       const Eigen::Vector2d end = match.estimate.T_session_base * point.in_base;
-      const bool at_wall = walls_.nearest(end, 1.5 * narrowest()).has_value();
+      const bool at_wall = walls_.nearest(end, 1.5 * width).has_value();
       at_walls += at_wall ? 1 : 0;
+      findPiece(point, end, kReach * width);
+      const double distance = point.piece             ? point.piece->normal.dot(end - point.piece->middle)
+                              : point.wall_point >= 0 ? (end - walls_.at(point.wall_point).position).norm()
+                                                      : kWidest;
+      match.misfit += most * distance * distance / (width * width + distance * distance);
       match.points += at_wall || grid_.isKnown(end) ? 1 : 0;
     }
+    match.all_fit = points_.empty() ? 0.0 : static_cast<double>(at_walls) / static_cast<double>(points_.size());
     match.fit = match.points > 0 ? static_cast<double>(at_walls) / match.points : 0.0;
   }
 

@@ -18,12 +18,13 @@ namespace {
 
 constexpr int kMinHits = 10;                // fewer say nothing
 constexpr double kWallMargin = 0.3;         // [m] behind a wall: what ends there was seen through it
-constexpr double kMostContradiction = 0.4;  // of the beams that may go through walls
+constexpr double kMostContradiction = 0.5;  // of the beams that may go through walls
 constexpr int kMostContradictions = 10;     // scans in a row, until the session ends
 constexpr int kManyPoints = 30;             // in known territory, that can tell odometry to be wrong
-constexpr double kPoorFit = 0.4;            // of them lie at walls where something is wrong, or people walk
-constexpr double kGoodFit = 0.7;            // lie at walls where the pose is right
-constexpr double kMuchBetter = 0.3;         // share by which another pose has to be better
+constexpr double kPoorFit = 0.3;            // of the points lie at walls where something is wrong, or people walk
+constexpr double kGoodFit = 0.8;            // lie at walls where nothing can be wrong
+constexpr double kMuchLikelier = 15.0;      // logarithm, that believing the walls against the odometry takes
+constexpr double kStandstill = 0.01;        // [m, rad]
 constexpr double kSlip = 0.3;               // [m], standard deviation of a motion that odometry did not measure
 constexpr double kTwist = 0.2;              // [rad] of its turning
 constexpr double kLongestJump = 0.5;        // [m] between two scans that came together
@@ -156,10 +157,9 @@ class SessionMapper::Impl {
   }
 
   void matchAndDraw(std::size_t laser, const BeamFan& fan, ScanReport& report) {
-    const ScanMatch match = bestMatch(fan, report);
+    const ScanMatch match = bestMatch(laser, fan, report);
     report.goodness = match.fit;
-    if (match.points >= kManyPoints &&
-        match.fit < kPoorFit) {  // else it is where walls are; people may have walked off
+    if (match.all_fit < kPoorFit) {  // people who walked off were no walls, but leave the others where they were
       const double contradiction = session_->grid.shareThroughWalls(
           transform(match.estimate.T_session_base, everyFourth(fan)), options_.occ_thresh, kWallMargin);
       if (contradiction > kMostContradiction) {
@@ -181,14 +181,17 @@ class SessionMapper::Impl {
 
   /// The pose that the scan and the odometry tell together or, where the walls show a motion that the odometry did not
   /// measure, that of the walls.
-  ScanMatch bestMatch(const BeamFan& fan, ScanReport& report) const {
+  ScanMatch bestMatch(std::size_t laser, const BeamFan& fan, ScanReport& report) const {
     const ScanMatchOptions options{options_.sigma, options_.occ_thresh};
     ScanMatch match = matchScan(session_->grid, fan, estimate_, options);
-    if (match.points < kManyPoints || match.fit >= kPoorFit) {
+    const auto history = session_->lasers.find(laser);
+    const bool stands = history != session_->lasers.end() &&
+                        !history->second.last_match.isPassed(T_session_base(), kStandstill, kStandstill);
+    if (match.points < kManyPoints || (match.fit > kGoodFit && !stands)) {
       return match;
     }
     ScanMatch other = matchScan(session_->grid, fan, doubtful(estimate_), options);
-    if (other.fit < kGoodFit || other.fit < match.fit + kMuchBetter) {
+    if (other.fit < match.fit || other.misfit > match.misfit - kMuchLikelier) {
       return match;
     }
     const grid::Rigid2 slip = estimate_.T_session_base.inverse() * other.estimate.T_session_base;

@@ -27,6 +27,40 @@ void drive(SessionMapper& mapper, const Room& room) {
   }
 }
 
+TEST(DoubtfulOdometry, LeavesAScanThatSeesThroughWallsOutOfTheMap) {
+  SessionMapper mapper;
+  mapper.addScan(0.0, {}, scanFrom({}, {}), {});
+  const auto before = mapper.map()->values();
+  const grid::Rigid2 moved{0.4, 0.0, 0.0};
+
+  const ScanReport report = mapper.addScan(1.0, moved, scanFrom({-9.0, 9.0, -6.0, 6.5}, {}), {});
+
+  EXPECT_EQ(report.outcome, ScanOutcome::kNotFitting);
+  EXPECT_NE(report.reason.find("go through walls"), std::string::npos) << report.reason;
+  EXPECT_EQ(mapper.map()->values(), before);
+  EXPECT_NEAR(mapper.T_session_base().x, 0.4, 1e-12);
+}
+
+TEST(DoubtfulOdometry, EndsASessionThatScanAfterScanContradicts) {
+  const Room elsewhere{-9.0, 9.0, -6.0, 6.5};
+  SessionMapper mapper;
+  mapper.addScan(0.0, {}, scanFrom({}, {}), {});
+
+  int scans = 0;
+  ScanReport report;
+  for (; scans < 30 && !report.new_session; ++scans) {
+    report = mapper.addScan(1.0 + scans, {0.01 * scans, 0.0, 0.0}, scanFrom(elsewhere, {0.01 * scans, 0.0, 0.0}), {});
+  }
+
+  ASSERT_TRUE(report.new_session);
+  EXPECT_GE(scans, 5) << "one scan or two tell nothing";
+  EXPECT_NE(report.alarm.find("a new one begins"), std::string::npos) << report.alarm;
+  EXPECT_EQ(report.outcome, ScanOutcome::kDrawn);
+  for (const Eigen::Vector2d& wall : wallsOf(*mapper.map())) {
+    EXPECT_LE(distanceToWall(elsewhere, wall), 0.05) << wall.transpose();
+  }
+}
+
 TEST(DoubtfulOdometry, StaysWhereItIsWhenOdometryJumps) {
   const Room room;
   SessionMapper mapper;
@@ -43,6 +77,26 @@ TEST(DoubtfulOdometry, StaysWhereItIsWhenOdometryJumps) {
   EXPECT_LT((truth.inverse() * mapper.T_session_base()).translation().x(), 0.33);
   for (const Eigen::Vector2d& wall : wallsOf(*mapper.map())) {
     EXPECT_LE(distanceToWall(room, wall), 0.1) << wall.transpose();
+  }
+}
+
+TEST(DoubtfulOdometry, FollowsTheWallsWhenOdometryStandsStill) {
+  const Room room;
+  SessionMapper mapper;
+  drive(mapper, room);
+  const grid::Rigid2 odometry{1.0, 0.3 * std::sin(6.0), 1.2};
+  grid::Rigid2 truth = odometry;
+  bool told = false;
+  for (int i = 1; i <= 60; ++i) {  // backs off for 4 s at 0.3 m/s
+    truth = truth * grid::Rigid2{-0.02, 0.0, 0.0};
+    const ScanReport report = mapper.addScan(4.0 + i / 15.0, odometry, scanFrom(room, truth), {});
+    told = told || !report.alarm.empty();
+  }
+
+  EXPECT_TRUE(told);
+  EXPECT_LT((truth.inverse() * mapper.T_session_base()).translation().norm(), 0.1);
+  for (const Eigen::Vector2d& wall : wallsOf(*mapper.map())) {
+    EXPECT_LE(distanceToWall(room, wall), 0.12) << wall.transpose();
   }
 }
 

@@ -18,6 +18,8 @@ struct ScanMatch {
   PoseEstimate estimate;  ///< What odometry and the scan say together.
   int points = 0;         ///< Ends of beams, thinned out, that lie where the grid is known.
   double fit = 0.0;       ///< Share of these that lie at walls; 0 without points.
+  double all_fit = 0.0;   ///< Share of all ends, those in unknown space included, that lie at walls.
+  double misfit = 0.0;    ///< What the distances from the walls cost: so much less likely is the scan, as a logarithm.
 };
 
 /// The pose at which the odometry's prediction and the scan together are most likely: iteratively reweighted
