@@ -47,7 +47,7 @@ inline grid::OccupancyGrid simulateSession(const grid::OccupancyGrid& map, const
     length += (step.T_map_base.translation() - last).norm();
     last = step.T_map_base.translation();
     const mapping::ScanReport report =
-        mapper.addScan(step.T_odom_base, step.scans.front(), {drive.T_base_lidar.front(), false});
+        mapper.addScan(step.time, step.T_odom_base, step.scans.front(), {drive.T_base_lidar.front(), false});
     const bool drawn = report.outcome == mapping::ScanOutcome::kDrawn;
     if (length > wanted.length || (drawn && grid::occupiedCells(*mapper.map()).size() >= wanted.num_cells)) {
       break;

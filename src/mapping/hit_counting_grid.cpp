@@ -11,6 +11,8 @@ namespace map_matcher::mapping {
 namespace {
 
 constexpr int kGrowth = 32;          // [cells] the grid grows by multiples of this
+constexpr double kPlaces = 65536.0;  // in a cell, along each axis, that a mean can lie at
+constexpr int kLongestMean = 64;     // hits; later ones count as much as the last of these
 constexpr double kMaxLattice = 1e9;  // [cells] farther from the origin an int would overflow
 
 int floorToCell(double coordinate, double resolution) {
@@ -75,7 +77,8 @@ bool HitCountingGrid::draw(const BeamFan& fan) {
     return false;
   }
   for (const Beam& beam : fan.beams) {
-    drawBeam(fan.origin, beam);
+    const grid::Cell end = latticeCell(beam.end);
+    visitCells(fan.origin, beam.end, [&](const grid::Cell& cell) { count(cell, beam.end, beam.hit && cell == end); });
   }
   return true;
 }
@@ -91,7 +94,7 @@ grid::OccupancyGrid HitCountingGrid::toOccupancyGrid(double occupied_threshold) 
     if (counts.visits == 0) {
       return grid::kUnknown;
     }
-    return counts.hits > occupied_threshold * counts.visits ? grid::kOccupied : grid::kFree;
+    return isWall(counts, occupied_threshold) ? grid::kOccupied : grid::kFree;
   });
   return grid::OccupancyGrid(geometry, std::move(values));
 }
@@ -125,34 +128,91 @@ bool HitCountingGrid::growTo(const grid::Cell& lower, const grid::Cell& upper) {
   return true;
 }
 
-void HitCountingGrid::drawBeam(const Eigen::Vector2d& origin, const Beam& beam) {
-  const auto visit = [this](const grid::Cell& cell, bool hit) {
-    Counts& counts = at(cell);
-    if (counts.visits == std::numeric_limits<std::uint16_t>::max()) {
-      counts = {static_cast<std::uint16_t>(counts.hits / 2), static_cast<std::uint16_t>(counts.visits / 2)};
-    }
-    ++counts.visits;
-    counts.hits = static_cast<std::uint16_t>(counts.hits + (hit ? 1 : 0));
-  };
-  const grid::Cell end = latticeCell(beam.end);
-  grid::Cell cell = latticeCell(origin);
-  AxisWalk walk_x(origin.x(), beam.end.x(), resolution_, cell.x);
-  AxisWalk walk_y(origin.y(), beam.end.y(), resolution_, cell.y);
+/// Visits the cells of a straight line in their order, the last one too.
+template <typename Visit>
+void HitCountingGrid::visitCells(const Eigen::Vector2d& from, const Eigen::Vector2d& to, Visit&& visit) const {
+  const grid::Cell end = latticeCell(to);
+  grid::Cell cell = latticeCell(from);
+  AxisWalk walk_x(from.x(), to.x(), resolution_, cell.x);
+  AxisWalk walk_y(from.y(), to.y(), resolution_, cell.y);
   // The number of lines to cross is known in integers, so rounding cannot lead past the last cell.
   for (int lines = std::abs(end.x - cell.x) + std::abs(end.y - cell.y); lines > 0; --lines) {
-    visit(cell, false);
+    visit(cell);
     const bool along_x = cell.y == end.y || (cell.x != end.x && walk_x.next < walk_y.next);
     AxisWalk& walk = along_x ? walk_x : walk_y;
     (along_x ? cell.x : cell.y) += walk.step;
     walk.next += walk.period;
   }
-  visit(end, beam.hit);
+  visit(end);
 }
 
-HitCountingGrid::Counts& HitCountingGrid::at(const grid::Cell& lattice_cell) {
-  const auto column = static_cast<std::size_t>(lattice_cell.x - first_.x);
-  const auto row = static_cast<std::size_t>(lattice_cell.y - first_.y);
-  return counts_[row * static_cast<std::size_t>(width_) + column];
+void HitCountingGrid::count(const grid::Cell& lattice_cell, const Eigen::Vector2d& end, bool hit) {
+  Counts& counts = counts_[indexOf(lattice_cell)];
+  if (counts.visits == std::numeric_limits<std::uint16_t>::max()) {
+    counts.hits = static_cast<std::uint16_t>(counts.hits / 2);
+    counts.visits = static_cast<std::uint16_t>(counts.visits / 2);
+  }
+  ++counts.visits;
+  if (hit) {
+    ++counts.hits;
+    const int weight = std::min<int>(counts.hits, kLongestMean);
+    const auto follow = [this, weight](std::uint16_t& mean, double coordinate, int cell) {
+      const double place = std::clamp((coordinate / resolution_ - cell) * kPlaces, 0.0, kPlaces - 1.0);
+      mean = static_cast<std::uint16_t>(mean + static_cast<int>(place - mean) / weight);
+    };
+    follow(counts.mean_x, end.x(), lattice_cell.x);
+    follow(counts.mean_y, end.y(), lattice_cell.y);
+  }
+}
+
+std::vector<WallPoint> HitCountingGrid::wallsIn(const Extent& extent, double occupied_threshold) const {
+  const grid::Cell lower = latticeCell(extent.min);
+  const grid::Cell upper = latticeCell(extent.max);
+  const int left = std::max(lower.x, first_.x);
+  const int right = std::min(upper.x, first_.x + width_ - 1);
+  std::vector<WallPoint> walls;
+  for (int y = std::max(lower.y, first_.y); y <= std::min(upper.y, first_.y + height_ - 1); ++y) {
+    for (int x = left; x <= right; ++x) {
+      const Counts& counts = counts_[indexOf({x, y})];
+      if (counts.hits > 0 && isWall(counts, occupied_threshold)) {
+        walls.push_back(
+            {resolution_ * Eigen::Vector2d(x + counts.mean_x / kPlaces, y + counts.mean_y / kPlaces), counts.hits});
+      }
+    }
+  }
+  return walls;
+}
+
+bool HitCountingGrid::isKnown(const Eigen::Vector2d& point) const {
+  const grid::Cell cell = latticeCell(point);
+  return holds(cell) && counts_[indexOf(cell)].visits > 0;
+}
+
+double HitCountingGrid::shareThroughWalls(const BeamFan& fan, double occupied_threshold, double margin) const {
+  int through = 0;
+  for (const Beam& beam : fan.beams) {
+    const Eigen::Vector2d way = beam.end - fan.origin;
+    const double length = way.norm();
+    if (length <= margin) {
+      continue;
+    }
+    bool crosses = false;
+    visitCells(fan.origin, fan.origin + (1.0 - margin / length) * way, [&](const grid::Cell& cell) {
+      crosses = crosses || (holds(cell) && isWall(counts_[indexOf(cell)], occupied_threshold));
+    });
+    through += crosses ? 1 : 0;
+  }
+  return fan.beams.empty() ? 0.0 : static_cast<double>(through) / static_cast<double>(fan.beams.size());
+}
+
+bool HitCountingGrid::holds(const grid::Cell& lattice_cell) const {
+  return lattice_cell.x >= first_.x && lattice_cell.y >= first_.y && lattice_cell.x < first_.x + width_ &&
+         lattice_cell.y < first_.y + height_;
+}
+
+std::size_t HitCountingGrid::indexOf(const grid::Cell& lattice_cell) const {
+  return static_cast<std::size_t>(lattice_cell.y - first_.y) * static_cast<std::size_t>(width_) +
+         static_cast<std::size_t>(lattice_cell.x - first_.x);
 }
 
 }  // namespace map_matcher::mapping

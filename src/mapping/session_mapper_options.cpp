@@ -14,20 +14,20 @@ constexpr double kLargestExtent = 1e5;    // [m]
 constexpr double kLongestRange = 1000.0;  // [m]
 constexpr double kLargestTurn = 3.15;     // [rad] a bit more than half a turn
 
-parameters::ParameterList icpParametersOf(IcpOptions& icp) {
+parameters::ParameterList matchParametersOf(SessionMapperOptions& options) {
   return {
-      {"icp_linear_update", "m", "Motion after which a scan corrects the pose again.", &icp.linear_update, 0.0, 100.0},
-      {"icp_angular_update", "rad", "Turning after which a scan corrects the pose again.", &icp.angular_update, 0.0,
-       kLargestTurn},
-      {"icp_max_distance", "m", "Points farther apart than this do not correspond, at first.", &icp.max_distance, 0.01,
+      {"match_linear_update", "m", "Motion after which a scan corrects the pose again.", &options.match_linear_update,
+       0.0, 100.0},
+      {"match_angular_update", "rad", "Turning after which a scan corrects the pose again.",
+       &options.match_angular_update, 0.0, kLargestTurn},
+      {"sigma", "m", "Standard deviation of the ends of beams from the wall that they ended at, as it was drawn.",
+       &options.sigma, 0.001, 1.0},
+      {"srr", "m", "Standard deviation of the odometry's way after a metre.", &options.odometry.srr, 0.0, 10.0},
+      {"srt", "rad", "Standard deviation of the odometry's heading after a metre.", &options.odometry.srt, 0.0, 10.0},
+      {"str", "m", "Standard deviation of the odometry's position after turning a radian.", &options.odometry.str, 0.0,
        10.0},
-      {"icp_max_angle", "rad", "Widens icp_max_distance by this times the range of the point.", &icp.max_angle, 0.0,
-       1.0},
-      {"icp_min_distance", "m", "The matching is done when icp_max_distance has shrunk to this.", &icp.min_distance,
-       0.001, 10.0},
-      {"icp_min_goodness", "", "Smallest share of the points with a correspondence that is believed.",
-       &icp.min_goodness, 0.0, 1.0},
-      {"icp_max_iterations", "", "Largest number of iterations of one matching.", &icp.max_iterations, 1.0, 10000.0},
+      {"stt", "rad", "Standard deviation of the odometry's heading after turning a radian.", &options.odometry.stt, 0.0,
+       10.0},
   };
 }
 
@@ -46,6 +46,10 @@ parameters::ParameterList parametersOf(SessionMapperOptions& options) {
   parameters::ParameterList parameters = {
       {"linearUpdate", "m", "Motion after which a scan is drawn.", &options.linear_update, 0.0, 100.0},
       {"angularUpdate", "rad", "Turning after which a scan is drawn.", &options.angular_update, 0.0, kLargestTurn},
+      {"temporalUpdate", "s",
+       "Time after which a scan is drawn though the robot stands, so that walls appear where people were; negative: "
+       "never.",
+       &options.temporal_update, -1.0, 3600.0},
       {"maxRange", "m", "Longer ranges say nothing; 0: the scan's range_max less 1 cm.", &options.max_range, 0.0,
        kLongestRange},
       {"maxUrange", "m", "Longer ranges clear the space up to here and show no wall, at most maxRange; 0: as maxRange.",
@@ -59,8 +63,8 @@ parameters::ParameterList parametersOf(SessionMapperOptions& options) {
       {"xmax", "m", "Right side of the first map.", &options.xmax, -kLargestExtent, kLargestExtent},
       {"ymax", "m", "Upper side of the first map.", &options.ymax, -kLargestExtent, kLargestExtent},
   };
-  const parameters::ParameterList icp = icpParametersOf(options.icp);
-  parameters.insert(parameters.end(), icp.begin(), icp.end());
+  const parameters::ParameterList match = matchParametersOf(options);
+  parameters.insert(parameters.end(), match.begin(), match.end());
   return parameters;
 }
 

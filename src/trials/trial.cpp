@@ -93,8 +93,12 @@ std::vector<scan::MountedScan> Trial::scansFor(const TrialStep& step) {
 /// Whether any of the scans was drawn.
 bool Trial::map(const TrialStep& step, const std::vector<scan::MountedScan>& scans) {
   bool drawn = false;
-  for (const scan::MountedScan& scan : scans) {
-    const mapping::ScanReport report = mapper_.addScan(step.T_odom_base, scan.scan, scan.mount);
+  for (std::size_t laser = 0; laser < scans.size(); ++laser) {
+    const scan::MountedScan& scan = scans[laser];
+    const mapping::ScanReport report = mapper_.addScan(step.time, step.T_odom_base, scan.scan, scan.mount, laser);
+    if (report.new_session) {
+      noteSession(step);
+    }
     drawn = drawn || report.outcome == mapping::ScanOutcome::kDrawn;
   }
   return drawn;
@@ -102,6 +106,11 @@ bool Trial::map(const TrialStep& step, const std::vector<scan::MountedScan>& sca
 
 void Trial::beginSession(const TrialStep& step) {
   mapper_.reset();
+  noteSession(step);
+}
+
+/// A session begins with this step.
+void Trial::noteSession(const TrialStep& step) {
   matching_.beginSession();
   ++session_;
   session_start_ = step.time;

@@ -164,5 +164,41 @@ TEST(HitCountingGrid, CoversItsExtentInWholeCells) {
   EXPECT_DOUBLE_EQ(map.geometry().T_map_grid.yaw, 0.0);
 }
 
+TEST(HitCountingGrid, KnowsWhereInItsCellAWallIs) {
+  HitCountingGrid grid = smallGrid();
+  grid.draw({{0.5, 1.5}, {{{3.2, 1.6}, true}, {{3.3, 1.6}, true}, {{3.4, 1.6}, true}}});
+
+  const std::vector<WallPoint> walls = grid.wallsIn({{0.0, 0.0}, {5.0, 3.0}}, kThreshold);
+
+  ASSERT_EQ(walls.size(), 1U);
+  EXPECT_EQ(walls.front().hits, 3);
+  EXPECT_NEAR(walls.front().position.x(), 3.3, 1e-3);
+  EXPECT_NEAR(walls.front().position.y(), 1.6, 1e-3);
+  EXPECT_TRUE(grid.wallsIn({{0.0, 0.0}, {2.9, 3.0}}, kThreshold).empty());
+  EXPECT_EQ(grid.wallsIn({{-100.0, -100.0}, {100.0, 100.0}}, kThreshold).size(), 1U);
+}
+
+TEST(HitCountingGrid, KnowsWhereNoBeamCame) {
+  HitCountingGrid grid = smallGrid();
+  grid.draw({{0.5, 1.5}, {{{3.5, 1.5}, true}}});
+
+  EXPECT_TRUE(grid.isKnown({2.2, 1.1}));
+  EXPECT_FALSE(grid.isKnown({4.5, 1.5}));
+  EXPECT_FALSE(grid.isKnown({-50.0, 1.5}));
+}
+
+TEST(HitCountingGrid, TellsHowManyBeamsGoThroughWalls) {
+  HitCountingGrid grid = smallGrid();
+  grid.draw({{0.5, 1.5}, {{{2.5, 1.5}, true}}});
+  const Beam through{{4.5, 1.5}, true};
+  const Beam up_to_it{{2.4, 1.5}, true};
+  const Beam a_bit_behind{{3.2, 1.5}, true};
+  const Beam beside{{4.5, 2.5}, true};
+
+  EXPECT_EQ(grid.shareThroughWalls({{0.5, 1.5}, {through, up_to_it, a_bit_behind}}, kThreshold, 1.3), 1.0 / 3.0);
+  EXPECT_EQ(grid.shareThroughWalls({{0.5, 2.5}, {beside}}, kThreshold, 1.3), 0.0);
+  EXPECT_EQ(grid.shareThroughWalls({{0.5, 2.5}, {}}, kThreshold, 1.3), 0.0);
+}
+
 }  // namespace
 }  // namespace map_matcher::mapping

@@ -106,7 +106,7 @@ bool mayInclude(const std::string& room, const Include& include) {
     return true;
   }
   if (library == "mrpt") {
-    return source && (room == "mapping" || room == "localization");
+    return source && room == "localization";
   }
   return source && Names{"nlohmann", "opencv2", "yaml-cpp"}.count(library) == 1;
 }
@@ -132,7 +132,7 @@ TEST(Rooms, IncludeOnlyTheStandardLibraryEigenAndTheirOwnTools) {
       if (include.system) {
         EXPECT_TRUE(mayInclude(room, include))
             << include.file << " includes <" << include.header << ">; expected std, Eigen, or in a .cpp file OpenCV, "
-            << "yaml-cpp, nlohmann and in mapping and localization MRPT; ROS only in ros/, nodes/ and tools/";
+            << "yaml-cpp, nlohmann and in localization MRPT; ROS only in ros/, nodes/ and tools/";
       }
     }
   }

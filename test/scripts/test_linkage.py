@@ -30,3 +30,8 @@ class Linkage(unittest.TestCase):
                 libraries = libraries_of(self.libraries / program)
                 self.assertTrue(any("map_matcher_core" in library for library in libraries), libraries)
                 self.assertEqual([], [library for library in libraries if any(word in library for word in NEEDLESS)])
+
+    def test_session_mapper_loads_no_mrpt(self):
+        libraries = libraries_of(self.libraries / "map_matcher/session_mapper")
+        self.assertTrue(any("map_matcher_mapping" in library for library in libraries), libraries)
+        self.assertEqual([], [library for library in libraries if "mrpt" in library])

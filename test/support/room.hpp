@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "map_matcher/scan/planar_scan.hpp"
 
@@ -46,6 +47,15 @@ inline scan::PlanarScan scanFrom(const Room& room, const grid::Rigid2& T_world_b
 inline double distanceToWall(const Room& room, const Eigen::Vector2d& p) {
   return std::min({std::abs(p.x() - room.left), std::abs(p.x() - room.right), std::abs(p.y() - room.lower),
                    std::abs(p.y() - room.upper)});
+}
+
+/// The scan with normal noise of each range [m].
+inline scan::PlanarScan noisy(scan::PlanarScan scan, double sigma, std::mt19937& generator) {
+  std::normal_distribution<double> noise(0.0, sigma);
+  for (float& range : scan.ranges) {
+    range += static_cast<float>(noise(generator));
+  }
+  return scan;
 }
 
 }  // namespace map_matcher::test

@@ -88,6 +88,7 @@ class Trial {
   };
 
   void beginSession(const TrialStep& step);
+  void noteSession(const TrialStep& step);
   void takePending(double time);
   bool map(const TrialStep& step, const std::vector<scan::MountedScan>& scans);
   std::vector<scan::MountedScan> scansFor(const TrialStep& step);

@@ -2,7 +2,9 @@
 
 #include <ros/console.h>
 
+#include <memory>
 #include <stdexcept>
+#include <string>
 
 #include "map_matcher/ros/common/conversions.hpp"
 
@@ -20,7 +22,7 @@ void expectOther(const char* name, const std::string& value, const char* other_n
   }
 }
 
-/// The options with the slashes of former times taken off; throws unless the three frames differ.
+/// The options with the slashes of former times taken off; throws unless the three frames differ and there is a topic.
 SessionMapperServerOptions checked(SessionMapperServerOptions options) {
   options.map_frame = ros_common::frameName(options.map_frame);
   options.mapping.odom_frame = ros_common::frameName(options.mapping.odom_frame);
@@ -28,6 +30,9 @@ SessionMapperServerOptions checked(SessionMapperServerOptions options) {
   expectOther("map_frame", options.map_frame, "odom_frame", options.mapping.odom_frame);
   expectOther("odom_frame", options.mapping.odom_frame, "base_frame", options.mapping.base_frame);
   expectOther("base_frame", options.mapping.base_frame, "map_frame", options.map_frame);
+  if (options.scan_topics.empty()) {
+    throw std::invalid_argument("~scan_topics is an empty list, expected at least one topic");
+  }
   return options;
 }
 
@@ -39,12 +44,8 @@ SessionMapperServer::SessionMapperServer(ros::NodeHandle node, const ros::NodeHa
       mapping_(options_.mapping),
       tf_listener_(tf_),
       map_publisher_(node.advertise<nav_msgs::OccupancyGrid>("map", 1, true)),
-      metadata_publisher_(node.advertise<nav_msgs::MapMetaData>("map_metadata", 1, true)),
-      scan_subscriber_(node, "scan", kScanQueue),
-      scan_filter_(scan_subscriber_, tf_, options_.mapping.odom_frame, kScanQueue, node) {
-  scan_filter_.setTargetFrames({options_.mapping.odom_frame, options_.mapping.base_frame});
-  scan_filter_.registerCallback(boost::function<void(const sensor_msgs::LaserScanConstPtr&)>(
-      [this](const sensor_msgs::LaserScanConstPtr& scan) { onScan(scan); }));
+      metadata_publisher_(node.advertise<nav_msgs::MapMetaData>("map_metadata", 1, true)) {
+  subscribe(node);
   map_service_ = node.advertiseService<nav_msgs::GetMap::Request, nav_msgs::GetMap::Response>(
       "dynamic_map", [this](auto& /*request*/, auto& response) { return onGetMap(response); });
   if (options_.transform_publish_period > 0.0) {
@@ -54,10 +55,23 @@ SessionMapperServer::SessionMapperServer(ros::NodeHandle node, const ros::NodeHa
   waiting_timer_ = node.createWallTimer(kWaitingPeriod, [this](const auto& /*event*/) { tellWhatIsMissing(); });
 }
 
-void SessionMapperServer::onScan(const sensor_msgs::LaserScanConstPtr& scan) {
+void SessionMapperServer::subscribe(ros::NodeHandle& node) {
+  for (std::size_t i = 0; i < options_.scan_topics.size(); ++i) {
+    lasers_.push_back(std::make_unique<Laser>());
+    Laser& laser = *lasers_.back();
+    laser.subscriber.subscribe(node, options_.scan_topics[i], kScanQueue);
+    laser.filter = std::make_unique<ScanFilter>(laser.subscriber, tf_, options_.mapping.odom_frame, kScanQueue, node);
+    laser.filter->setTargetFrames({options_.mapping.odom_frame, options_.mapping.base_frame});
+    laser.filter->registerCallback(boost::function<void(const sensor_msgs::LaserScanConstPtr&)>(
+        [this, i](const sensor_msgs::LaserScanConstPtr& scan) { onScan(i, scan); }));
+  }
+}
+
+void SessionMapperServer::onScan(std::size_t laser, const sensor_msgs::LaserScanConstPtr& scan) {
   try {
-    const MappingUpdate update = mapping_.addScan(*scan, tf_);
+    const MappingUpdate update = mapping_.addScan(*scan, tf_, laser);
     ++scans_taken_;
+    ++lasers_[laser]->taken;
     tell(update);
     if (update.snapshot) {
       publish(*update.snapshot);
@@ -84,7 +98,9 @@ void SessionMapperServer::onTick() {
   if (tick == ros_common::RisingClock::Tick::kWentBack && mapping_.mapper().hasMap()) {
     ROS_WARN("time went back: a new session begins");
     mapping_.beginNewSession();
-    scan_filter_.clear();
+    for (const std::unique_ptr<Laser>& laser : lasers_) {
+      laser->filter->clear();
+    }
   }
   if (tick != ros_common::RisingClock::Tick::kAdvanced || !mapping_.mapper().hasMap()) {
     return;
@@ -97,24 +113,58 @@ void SessionMapperServer::onTick() {
   tf_broadcaster_.sendTransform(message);
 }
 
-void SessionMapperServer::tellWhatIsMissing() const {
+void SessionMapperServer::tellWhatIsMissing() {
   if (mapping_.mapper().hasMap()) {
+    tellWhichLasersAreSilent();
     return;
   }
-  if (scan_subscriber_.getSubscriber().getNumPublishers() == 0) {
-    ROS_INFO_STREAM("waiting for a publisher of " << scan_subscriber_.getSubscriber().getTopic());
-  } else if (scans_taken_ == 0) {
-    ROS_INFO_STREAM("waiting for a scan on " << scan_subscriber_.getSubscriber().getTopic() << " and, at its stamp, tf "
-                                             << options_.mapping.odom_frame << " <- " << options_.mapping.base_frame
-                                             << " <- the laser");
-  } else {
+  if (scans_taken_ > 0) {
     ROS_INFO("waiting for a scan that shows walls");
+    return;
+  }
+  for (const std::unique_ptr<Laser>& laser : lasers_) {
+    const ros::Subscriber& subscriber = laser->subscriber.getSubscriber();
+    if (subscriber.getNumPublishers() == 0) {
+      ROS_INFO_STREAM("waiting for a publisher of " << subscriber.getTopic());
+    } else {
+      ROS_INFO_STREAM("waiting for a scan on " << subscriber.getTopic() << " and, at its stamp, tf "
+                                               << options_.mapping.odom_frame << " <- " << options_.mapping.base_frame
+                                               << " <- the laser");
+    }
+  }
+}
+
+void SessionMapperServer::tellWhichLasersAreSilent() {
+  const ros::Time now = ros::Time::now();
+  const bool time_stands = now - last_look_ < ros::Duration(0.5 * kWaitingPeriod.toSec());  // a bag that is held up
+  last_look_ = now;
+  if (time_stands) {
+    return;
+  }
+  for (const std::unique_ptr<Laser>& laser : lasers_) {
+    const bool silent = laser->taken == 0;
+    const std::string& topic = laser->subscriber.getSubscriber().getTopic();
+    if (silent && !laser->silent) {
+      ROS_WARN_STREAM("no scan of " << topic << " could be used for " << kWaitingPeriod.toSec()
+                                    << " s, expected scans and, at their stamps, tf " << options_.mapping.odom_frame
+                                    << " <- " << options_.mapping.base_frame << " <- the laser: the map goes on "
+                                    << (lasers_.size() > 1 ? "with what other lasers see" : "when they come"));
+    } else if (!silent && laser->silent) {
+      ROS_INFO_STREAM("scans of " << topic << " are drawn again");
+    }
+    laser->silent = silent;
+    laser->taken = 0;
   }
 }
 
 void SessionMapperServer::tell(const MappingUpdate& update) const {
   if (update.new_session) {
     ROS_WARN("the stamps of the scans went back: a new session begins");
+  }
+  if (update.report.new_session) {
+    ROS_WARN_STREAM(update.report.alarm);
+  } else if (!update.report.alarm.empty()) {
+    ROS_WARN_STREAM_THROTTLE(kWarningPeriod, update.report.alarm);
   }
   const mapping::ScanOutcome outcome = update.report.outcome;
   if (outcome == mapping::ScanOutcome::kNotFitting || outcome == mapping::ScanOutcome::kMapFull) {

@@ -20,7 +20,7 @@ parameters::ParameterList parametersOf(SessionMappingOptions& options) {
   parameters.push_back({"base_frame", "", "tf frame of the robot.", &options.base_frame});
   parameters.push_back({"odom_frame", "", "tf frame of the odometry.", &options.odom_frame});
   parameters.push_back(
-      {"throttle_scans", "", "Only every so many-th scan is looked at.", &options.throttle_scans, 1, 10000});
+      {"throttle_scans", "", "Only every so many-th scan of a laser is looked at.", &options.throttle_scans, 1, 10000});
   parameters.push_back({"map_update_interval", "s",
                         "A map is published after a drawn scan when the last one is older than this.",
                         &options.map_update_interval, 0.0, 3600.0});
@@ -34,7 +34,8 @@ SessionMapping::SessionMapping(const SessionMappingOptions& options) : options_(
   parameters::throwIfAny(parameters::problemsOf(parametersOf(copy)));
 }
 
-MappingUpdate SessionMapping::addScan(const sensor_msgs::LaserScan& scan, const tf2::BufferCore& tf) {
+MappingUpdate SessionMapping::addScan(const sensor_msgs::LaserScan& scan, const tf2::BufferCore& tf,
+                                      std::size_t laser) {
   // Whatever can throw comes first: a scan whose transforms are still on their way may be handed in again.
   const ros::Time stamp = scan.header.stamp;
   const auto odometry = tf.lookupTransform(options_.odom_frame, options_.base_frame, stamp);
@@ -43,12 +44,15 @@ MappingUpdate SessionMapping::addScan(const sensor_msgs::LaserScan& scan, const 
   const scan::PlanarScan planar_scan = ros_common::fromMessage(scan);
   const scan::LaserMount laser_mount = ros_common::laserMountFrom(mount.transform);
   MappingUpdate update;
-  update.new_session = beginSessionIfTimeJumped(stamp);
-  if (isThrottled()) {
+  update.new_session = beginSessionIfTimeJumped(stamp, laser);
+  if (isThrottled(laser)) {
     update.report.reason = "throttle_scans leaves this scan out";
     return update;
   }
-  update.report = mapper_.addScan(T_odom_base, planar_scan, laser_mount);
+  update.report = mapper_.addScan(stamp.toSec(), T_odom_base, planar_scan, laser_mount, laser);
+  if (update.report.new_session) {
+    last_map_.reset();
+  }
   last_used_ = stamp;
   if (mapIsDue(update.report, stamp)) {
     last_map_ = stamp;
@@ -57,23 +61,23 @@ MappingUpdate SessionMapping::addScan(const sensor_msgs::LaserScan& scan, const 
   return update;
 }
 
-bool SessionMapping::beginSessionIfTimeJumped(const ros::Time& stamp) {
-  const bool jumped = stamp + kReorderTolerance < last_scan_;
+bool SessionMapping::beginSessionIfTimeJumped(const ros::Time& stamp, std::size_t laser) {
+  const ros::Time last_scan = lasers_[laser].last_scan;
+  const bool jumped = stamp + kReorderTolerance < last_scan;
   if (jumped) {
     beginNewSession();
-  } else if (stamp < last_scan_) {
+  } else if (stamp < last_scan) {
     std::ostringstream text;
-    text << "the scan's stamp is " << stamp << ", expected at least that of its predecessor, " << last_scan_;
+    text << "the scan's stamp is " << stamp << ", expected at least that of its predecessor, " << last_scan;
     throw ros_common::MessageError(text.str());
   }
-  last_scan_ = stamp;
+  lasers_[laser].last_scan = stamp;
   return jumped;
 }
 
 void SessionMapping::beginNewSession() {
   mapper_.reset();
-  num_scans_ = 0;
-  last_scan_ = ros::Time();
+  lasers_.clear();
   last_map_.reset();
 }
 
@@ -85,7 +89,9 @@ std::optional<SessionSnapshot> SessionMapping::snapshot() const {
   return SessionSnapshot{last_used_, mapper_.T_session_base(), mapper_.T_session_odom(), std::move(*map)};
 }
 
-bool SessionMapping::isThrottled() { return num_scans_++ % options_.throttle_scans != 0; }
+bool SessionMapping::isThrottled(std::size_t laser) {
+  return lasers_[laser].num_scans++ % options_.throttle_scans != 0;
+}
 
 bool SessionMapping::mapIsDue(const mapping::ScanReport& report, const ros::Time& stamp) const {
   return report.outcome == mapping::ScanOutcome::kDrawn &&

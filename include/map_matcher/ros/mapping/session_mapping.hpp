@@ -6,6 +6,7 @@
 #include <sensor_msgs/LaserScan.h>
 #include <tf2/buffer_core.h>
 
+#include <map>
 #include <optional>
 #include <string>
 
@@ -18,7 +19,7 @@ struct SessionMappingOptions {
   mapping::SessionMapperOptions mapper;
   std::string base_frame = "base_link";  ///< tf frame of the robot.
   std::string odom_frame = "odom";       ///< tf frame of the odometry.
-  int throttle_scans = 1;                ///< Only every so many-th scan is looked at.
+  int throttle_scans = 1;                ///< Only every so many-th scan of a laser is looked at.
   double map_update_interval = 5.0;      ///< [s] A map is due when the last one is older than this at a drawn scan.
 };
 
@@ -40,17 +41,17 @@ struct MappingUpdate {
   std::optional<SessionSnapshot> snapshot;  ///< The map, when one is due.
 };
 
-/// Takes the robot's poses from tf at the scans' stamps and hands both to a SessionMapper. When the stamps go back by
-/// more than half a second (a bag in a loop) a new session begins. Not thread-safe.
+/// Takes the robot's poses from tf at the scans' stamps and hands both to a SessionMapper. When the stamps of a laser
+/// go back by more than half a second (a bag in a loop) a new session begins. Not thread-safe.
 class SessionMapping {
  public:
   /// Throws std::invalid_argument that names every option out of range.
   explicit SessionMapping(const SessionMappingOptions& options);
 
-  /// Takes a scan. tf must hold odom_frame <- base_frame and base_frame <- the scan's frame at its stamp, or
-  /// tf2::TransformException is thrown. Throws MessageError for a scan that cannot be used, and one that is older than
-  /// its predecessor by up to half a second.
-  MappingUpdate addScan(const sensor_msgs::LaserScan& scan, const tf2::BufferCore& tf);
+  /// Takes a scan of one of the robot's lasers, which come in any order. tf must hold odom_frame <- base_frame and
+  /// base_frame <- the scan's frame at its stamp, or tf2::TransformException is thrown. Throws MessageError for a scan
+  /// that cannot be used, and one that is older than its predecessor of the same laser by up to half a second.
+  MappingUpdate addScan(const sensor_msgs::LaserScan& scan, const tf2::BufferCore& tf, std::size_t laser = 0);
 
   /// Forgets the session: the next scan begins a new one, whatever its stamp.
   void beginNewSession();
@@ -61,14 +62,18 @@ class SessionMapping {
   std::optional<SessionSnapshot> snapshot() const;
 
  private:
-  bool beginSessionIfTimeJumped(const ros::Time& stamp);
-  bool isThrottled();
+  struct Laser {
+    int num_scans = 0;
+    ros::Time last_scan;  // stamp of the last scan that came
+  };
+
+  bool beginSessionIfTimeJumped(const ros::Time& stamp, std::size_t laser);
+  bool isThrottled(std::size_t laser);
   bool mapIsDue(const mapping::ScanReport& report, const ros::Time& stamp) const;
 
   SessionMappingOptions options_;
   mapping::SessionMapper mapper_;
-  int num_scans_ = 0;
-  ros::Time last_scan_;  // stamp of the last scan that came
+  std::map<std::size_t, Laser> lasers_;
   ros::Time last_used_;  // stamp of the last scan that the mapper took
   std::optional<ros::Time> last_map_;
 };
