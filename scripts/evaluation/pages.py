@@ -49,6 +49,23 @@ def write_table(path, runs, columns, rows_of=lambda run: run.rows()):
                 writer.writerow([run.name, *["" if row.get(c) is None else text(row[c]) for c in columns]])
 
 
+START_COLUMNS = ("session_age", "travelled", "hit_ratio", "margin", "translation_error", "rotation_error", "truth_x",
+                 "truth_y", "candidate_error", "candidate_rotation_error")
+
+
+def write_starts(path, trials):
+    """A row for each start: what became of it, why not more, and the row that decided or came last."""
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(["run", "building", "condition", "seed", "session", "outcome", "cause", *START_COLUMNS])
+        for trial in trials:
+            for start in trial.starts():
+                row = start.row or {}
+                writer.writerow([trial.run.name, trial.building, trial.condition, trial.seed(start.session),
+                                 int(start.session), start.outcome, start.cause,
+                                 *["" if row.get(c) is None else text(row[c]) for c in START_COLUMNS]])
+
+
 def text(value):
     return "%.6g" % value if isinstance(value, float) else value
 
@@ -59,14 +76,20 @@ def save(figure, path):
     plt.close(figure)
 
 
-def draw_map(axis, path):
-    """The walls of a map file behind what is drawn on the axis; maps that are not turned."""
+def read_map(path):
+    """The image of a map file and its extent [m]: x_min, y_min, x_max, y_max; of maps that are not turned."""
     with open(path, encoding="utf-8") as file:
         description = yaml.safe_load(file)
     image = plt.imread(path.parent / description["image"])
     x, y = description["origin"][:2]
     width, height = (description["resolution"] * cells for cells in image.shape[1::-1])
-    axis.imshow(image, cmap="gray", extent=(x, x + width, y, y + height), alpha=0.6)
+    return image, (x, y, x + width, y + height)
+
+
+def draw_map(axis, path):
+    """The walls of a map file behind what is drawn on the axis."""
+    image, (x_min, y_min, x_max, y_max) = read_map(path)
+    axis.imshow(image, cmap="gray", extent=(x_min, x_max, y_min, y_max), alpha=0.6)
 
 
 def stage_time(row, stage):

@@ -91,16 +91,17 @@ class Runs:
         return self.directory / name
 
     def add(self, name, program, arguments, outputs, phase=0, accepted_statuses=(0,)):
+        """The same name is the same run, whichever experiments need it."""
+        for run in self.all:
+            if run.name == name:
+                return run
         run = Run(self.directory, name, self.tools / program, arguments, outputs, phase, accepted_statuses)
         self.all.append(run)
         return run
 
     def drive(self, name, arguments, phase=1, monte_carlo=False):
-        """A run of evaluate_drive; its first output is the table, the second one that of Monte-Carlo localization. The
-        same name is the same run."""
-        for run in self.all:
-            if run.name == name:
-                return run
+        """A run of evaluate_drive; its first output is the table, the second one that of Monte-Carlo
+        localization."""
         outputs = [self.path(name + ".csv")]
         options = ["--output", outputs[0]]
         if monte_carlo:
