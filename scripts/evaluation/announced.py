@@ -13,7 +13,8 @@ def of_trials(trials):
         figures[0] += len(trial.starts())
         for row in trial.run.rows():
             is_announced = row["matched"] == 1
-            is_wrong = is_announced and not (trial.in_reference and announced_right(row))
+            is_judged = not (trial.in_reference and row["translation_error"] is None)  # whether the truth is known
+            is_wrong = is_announced and is_judged and not (trial.in_reference and announced_right(row))
             map_is_right = trial.in_reference and candidate_right(row, "candidate_map_error",
                                                                   "candidate_map_rotation_error")
             figures[1] += 1

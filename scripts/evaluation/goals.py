@@ -4,7 +4,7 @@ from pages import section, table
 from trials import announced_right, share_text
 
 SAID = 0.99  # probability from which an answer counts as sure
-PROBABILITY = "answer.probability"  # where answers tell it
+PROBABILITY = ("answer.probability", "evidence.probability")  # where answers may tell it
 
 
 def starts_line(name, goal, starts):
@@ -48,7 +48,7 @@ def of_noise(plans):
 def of_probability(trials):
     """Of the answers that were said to be this probable, which are right."""
     sure = [row["candidate_right"] for trial in trials for row in trial.judged()
-            if (row.get(PROBABILITY) or 0.0) >= SAID and row["candidate_right"] is not None]
+            if any((row.get(name) or 0.0) >= SAID for name in PROBABILITY) and row["candidate_right"] is not None]
     return [["said %g %%, right" % (100.0 * SAID), "99 %", "%d of %d" % (sum(sure), len(sure)),
              share_text(sum(sure), len(sure))]] if sure else []
 

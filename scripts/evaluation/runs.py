@@ -5,6 +5,7 @@ import math
 import subprocess
 from pathlib import Path
 
+MATCHING = ("evaluate_drive", "match_maps")  # programs that take parameters of the matcher
 SCRIPTS = Path(__file__).resolve().parent.parent
 
 
@@ -81,9 +82,10 @@ def number(text):
 class Runs:
     """All runs of an evaluation."""
 
-    def __init__(self, directory, tools):
+    def __init__(self, directory, tools, config=None):
         self.directory = directory
         self.tools = tools
+        self.config = config  # parameters of the matcher in all runs; None: its defaults
         self.all = []
         directory.mkdir(parents=True, exist_ok=True)
 
@@ -95,6 +97,8 @@ class Runs:
         for run in self.all:
             if run.name == name:
                 return run
+        if self.config and program in MATCHING:
+            arguments = [*arguments, "--config", self.config]
         run = Run(self.directory, name, self.tools / program, arguments, outputs, phase, accepted_statuses)
         self.all.append(run)
         return run

@@ -11,13 +11,14 @@ TOLD = ("candidate_", "answer.", "evidence.", "travelled", "occupied")  # column
 
 
 class Start:
-    """What became of one start: the first place that was announced decides; without one the last status is the
-    cause."""
+    """What became of one start: the first place decides that was announced where the truth is known; without one the
+    last status is the cause."""
 
     def __init__(self, session, rows, in_reference):
         self.session = session
         early = [row for row in rows if row["session_age"] <= PATIENCE]
-        first = next((row for row in early if row["matched"] == 1), None)
+        first = next((row for row in early if row["matched"] == 1 and
+                      not (in_reference and row["translation_error"] is None)), None)
         self.row = first or (early[-1] if early else None)
         self.age = first["session_age"] if first else None
         self.outcome = "silent" if first is None else "right" if in_reference and announced_right(first) else "wrong"
@@ -53,7 +54,7 @@ class Trial:
     def judged(self):
         """Each session map: a row of the table of candidates."""
         for row in self.run.rows():
-            right = candidate_right(row) if self.in_reference or row["candidate_x"] is None else False
+            right = candidate_right(row) if self.in_reference or row.get("candidate_x") is None else False
             yield {"experiment": self.experiment, "building": self.building, "condition": self.condition,
                    "run": self.run.name, "seed": self.seed(row["session"]), "session": row["session"],
                    "age": row["session_age"], "status": row["status"], "announced": row["matched"],
@@ -124,7 +125,7 @@ def announced_right(row):
 def candidate_right(row, error="candidate_error", rotation="candidate_rotation_error"):
     """Whether the best place that a row found is the robot's, announced or not; None where there is none or the truth is
     not known."""
-    return None if row[error] is None else row[error] < RIGHT and row[rotation] < TURN
+    return None if row.get(error) is None else row[error] < RIGHT and row[rotation] < TURN
 
 
 def wilson(successes, count):

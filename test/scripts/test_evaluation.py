@@ -71,6 +71,13 @@ class Starts(unittest.TestCase):
                          [("silent", "no_map"), ("right", ""), ("silent", "no_map")])
         self.assertEqual(trials.causes_text(starts), "no_map 2")
 
+    def test_a_place_whose_truth_is_not_known_decides_nothing(self):
+        rows = [announced_row(0, 0.0, None), announced_row(0, 1.0, 0.1)]
+        start, = self.starts_of(rows, 1)
+        self.assertEqual((start.outcome, start.age), ("right", 1.0))
+        trial = trials.Trial("experiment", "building", "", FakeRun(rows))
+        self.assertEqual(announced.count([trial], [])[0], ["experiment", 1, 2, 2, 0, 0])
+
     def test_whatever_is_announced_in_a_strangers_map_is_wrong(self):
         start, = self.starts_of([announced_row(0, 0.0, None)], 1, in_reference=False)
         self.assertEqual(start.outcome, "wrong")
@@ -78,6 +85,18 @@ class Starts(unittest.TestCase):
     def test_each_start_has_the_next_seed(self):
         trial = trials.Trial("experiment", "building", "", FakeRun([], ["--starts", "4", "--seed", "41"]), 4)
         self.assertEqual(trial.seed(3.0), 44)
+
+
+class Plans(unittest.TestCase):
+
+    def test_parameters_of_the_matcher_go_to_all_that_match(self):
+        with tempfile.TemporaryDirectory() as directory:
+            runs = Runs(Path(directory), Path("tools"), Path("matcher.yaml"))
+            drive = runs.drive("drive", ["--seed", 1])
+            drawn = runs.add("floor", "generate_building", [], [])
+            self.assertEqual(drive.arguments[-2:], ["--config", "matcher.yaml"])
+            self.assertEqual(drawn.arguments, [])
+            self.assertIs(runs.drive("drive", []), drive)
 
 
 class Shares(unittest.TestCase):
