@@ -49,8 +49,8 @@ def part(counts, num_candidates):
     return section(
         "Wrong poses announced, all experiments together",
         "Every session map for which a place was announced, whatever else happened. Wrong: the robot is more than %g m "
-        "or %g rad from where it was announced to be, or the reference map does not show where it is; of pairs of maps, "
-        "the session map. The last column: those of them at which the session map lies right, but the mapper has lost "
+        "or %g rad from where it was announced to be, or the reference map does not show where it is; of pairs of "
+        "maps, the session map. The last column: those of them at which the session map lies right, but the mapper has lost "
         "the robot in it. All %d session maps, with the best place that was found for each, announced or not, and the "
         "evidence of it, are in `candidates.csv` beside the results of the runs." % (RIGHT, TURN, num_candidates),
         table(HEADER, counts))

@@ -1,4 +1,4 @@
-"""The table of all places that were found, right and wrong, with the evidence of each: what a probability is fitted on."""
+"""The table of all places that were found, right and wrong, with their evidence: what a probability is fitted on."""
 import csv
 
 FIRST = ("experiment", "building", "condition", "run", "seed", "session", "age", "status", "announced",

@@ -4,7 +4,7 @@ from pathlib import Path
 import buildings
 import office
 import sessions
-from pages import arguments_of, read_map, section, table, write_starts
+from pages import arguments_of, read_map, section, table, write_pairs, write_starts
 from starts import outcome_table
 from trials import OUTCOMES, Pair, Trial
 
@@ -68,6 +68,7 @@ def pairs_of(planned):
 def report(planned, page):
     trials, pairs = planned
     write_starts(page / "missing_part.csv", trials)
+    write_pairs(page / "missing_part_maps.csv", pairs)
     return section(
         "A missing part",
         "The reference map lacks one third of the building, along its length; the robot starts in that third, %g m and "
@@ -75,10 +76,10 @@ def report(planned, page):
         "right where the robot's pose is, wrong anywhere else, and to be silent is as good. "
         "[missing_part.csv](missing_part.csv)" % MARGIN,
         outcome_table("building", trials, lambda trial: trial.building),
-        "Recorded session maps in their reference maps, where what they show and %g m around it are unknown:" % AROUND
-        if pairs else "",
+        "Recorded session maps in their reference maps, where what they show and %g m around it are unknown: "
+        "[missing_part_maps.csv](missing_part_maps.csv)" % AROUND if pairs else "",
         table(["building", "session maps", *OUTCOMES], outcomes_of(pairs)) if pairs else "",
-        arguments_of([*[trial.run for trial in trials], *[pair.run for pair in pairs]]))
+        arguments_of([trial.run for trial in trials], unlisted=[pair.run for pair in pairs]))
 
 
 def outcomes_of(pairs):

@@ -41,8 +41,8 @@ def report(drives, page):
     plot(drives, page / "noise.png")
     return section(
         "Noise",
-        "A robot explores the generated office for %d s; the standard deviation of its lidar goes up, the reference map "
-        "is that of the static building. One query a session map. [noise.csv](noise.csv)" % DURATION,
+        "A robot explores the generated office for %d s; the standard deviation of its lidar goes up, the reference "
+        "map is that of the static building. One query a session map. [noise.csv](noise.csv)" % DURATION,
         table(["cells [cm]", "sigma [m]", "session maps", "right", "wrong", "silent", "right [%]", "best place right",
                "its least hit ratio", "mean"], [[*("%g" % value for value in key), *figures_of(run)]
                                                 for key, run in drives.items()]),

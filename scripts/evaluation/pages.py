@@ -29,8 +29,9 @@ def picture(name, caption):
     return "![%s](%s)\n\n*%s*" % (caption.split(".")[0], name, caption)
 
 
-def arguments_of(runs):
-    """The runs with their arguments, to be unfolded."""
+def arguments_of(runs, unlisted=()):
+    """The runs with their arguments, to be unfolded; of the unlisted ones, those that failed."""
+    runs = [*runs, *[run for run in unlisted if run.problem]]
     lines = ["<details><summary>%d runs</summary>" % len(runs), "", "```"]
     for run in runs:
         arguments = [a.rsplit("/", 1)[-1] for a in run.arguments]
@@ -64,6 +65,23 @@ def write_starts(path, trials):
                 writer.writerow([trial.run.name, trial.building, trial.condition, trial.seed(start.session),
                                  int(start.session), start.outcome, start.cause,
                                  *["" if row.get(c) is None else text(row[c]) for c in START_COLUMNS]])
+
+
+PAIR_COLUMNS = ("status", "certified", "hit_ratio", "upper_bound", "margin", "search_time")
+
+
+def write_pairs(path, pairs):
+    """A row for each pair of maps: what became of it, and where the best place is off that was found."""
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(["building", "set", "session", "outcome", *PAIR_COLUMNS, "candidate_error"])
+        for pair in pairs:
+            result = pair.result()
+            if result is not None:
+                writer.writerow([pair.building, *pair.session, pair.outcome(),
+                                 *[text(result[c]) for c in PAIR_COLUMNS],
+                                 "" if result["candidate"] is None or pair.truth is None
+                                 else text(pair.errors(result["candidate"])[0])])
 
 
 def text(value):

@@ -52,8 +52,8 @@ def report(planned, page):
         "Cold starts at random places",
         "Every start is a drive of its own from a random place and heading, with a seed of its own; half of the people "
         "stand in groups. The first place that is announced within %g s decides: right is the robot's pose to %g m and "
-        "%g rad, wrong anything else; a start without one is silent, its cause the status of its last map. The intervals "
-        "are Wilson's of 95 %%. [random_starts.csv](random_starts.csv)" % (PATIENCE, RIGHT, TURN),
+        "%g rad, wrong anything else; a start without one is silent, its cause the status of its last map. The "
+        "intervals are Wilson's of 95 %%. [random_starts.csv](random_starts.csv)" % (PATIENCE, RIGHT, TURN),
         outcome_table("people/m^2, scans", trials, lambda trial: trial.condition),
         picture("random_starts.png", "Where the robot was at each start, and what became of it."),
         arguments_of([trial.run for trial in trials]))

@@ -72,9 +72,9 @@ def report(pairs, page):
             writer.writerow(["" if row[c] is None else text(row[c]) for c in COLUMNS])
     return section(
         "Recorded sessions",
-        "Session maps drawn by slam_gmapping with a known place, each matched alone: %s. Right: at most %g m and %g rad "
-        "off; wrong: farther; silent: nothing is announced. Certified: it is proven that no pose has more hits, or that "
-        "none has enough. The errors are those of the origin of the session map, of the pose in whole cells (searched) "
+        "Session maps drawn by slam_gmapping with a known place, each matched alone: %s. Right: at most %g m and %g "
+        "rad off; wrong: farther; silent: nothing is announced. Certified: it is proven that no pose has more hits, or "
+        "that none has enough. The errors are those of the origin of the session map, of the pose in whole cells (searched) "
         "and after the refinement; they hold what bends the two maps as well. [sessions.csv](sessions.csv)" % (
             outcomes_text(rows), RIGHT, TURN),
         table(["set", "sessions", *OUTCOMES, "right [%]", "certified", "least hit ratio", "least margin",

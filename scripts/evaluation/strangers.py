@@ -1,7 +1,7 @@
 """Session maps in the maps of other buildings, where no place is right."""
 import buildings
 import sessions
-from pages import arguments_of, section, table, write_starts
+from pages import arguments_of, section, table, write_pairs, write_starts
 from starts import outcome_table
 from trials import Pair, Trial
 
@@ -59,17 +59,20 @@ def pairs_of(planned):
 def report(planned, page):
     pairs, trials = planned
     write_starts(page / "strangers.csv", trials)
+    write_pairs(page / "strangers_maps.csv", pairs)
     lines = []
     for building in dict.fromkeys(pair.building for pair in pairs):
         outcomes = [pair.outcome() for pair in pairs if pair.building == building]
-        hits = [pair.result()["candidate_ratio"] for pair in pairs if pair.building == building and pair.result()]
-        lines.append([building, len(outcomes), outcomes.count("wrong"), outcomes.count("silent"),
-                      max((ratio for ratio in hits if ratio is not None), default=None)])
+        results = [pair.result() for pair in pairs if pair.building == building and pair.result()]
+        hits = [result["candidate_ratio"] for result in results if result["candidate_ratio"] is not None]
+        lines.append([building, len(results), outcomes.count("wrong"), outcomes.count("silent"),
+                      max(hits, default=None)])
     return section(
         "Strangers",
-        "Recorded session maps in the recorded maps of all buildings but their own, and starts in generated offices with "
-        "the maps of others: whatever is announced is wrong. [strangers.csv](strangers.csv)",
+        "Recorded session maps in the recorded maps of all buildings but their own, and starts in generated offices "
+        "with the maps of others: whatever is announced is wrong. [strangers_maps.csv](strangers_maps.csv), "
+        "[strangers.csv](strangers.csv)",
         table(["recorded map", "session maps", "wrong", "silent", "most hits of a place that was found"], lines)
         if lines else "Recorded maps are left out: they are not there.",
         outcome_table("map of", trials, lambda trial: trial.building),
-        arguments_of([*[trial.run for trial in trials], *[pair.run for pair in pairs]]))
+        arguments_of([trial.run for trial in trials], unlisted=[pair.run for pair in pairs]))

@@ -123,8 +123,8 @@ def announced_right(row):
 
 
 def candidate_right(row, error="candidate_error", rotation="candidate_rotation_error"):
-    """Whether the best place that a row found is the robot's, announced or not; None where there is none or the truth is
-    not known."""
+    """Whether the best place that a row found is the robot's, announced or not; None where there is none or the truth
+    is not known."""
     return None if row.get(error) is None else row[error] < RIGHT and row[rotation] < TURN
 
 
