@@ -5,7 +5,7 @@ from starts import outcome_table
 from trials import Trial
 
 NAME = "look_alikes"
-STARTS = 10  # in each of them
+STARTS = 20  # in each of them
 WIDTH = 4  # [m] of copied rooms, a whole number of cells
 KINDS = {  # name: options of generate_building, options of the drive
     "copied rooms, same furniture": (["--copied-rooms", WIDTH], []),
@@ -22,7 +22,7 @@ def plan(runs, arguments):
             count = 2 if arguments.quick else STARTS
             world, reference = buildings.floor_and_reference(runs, "alike_%d_%d" % (k, seed), "--seed", seed, *options)
             run = buildings.starts(runs, "look_alikes_%d_%d" % (k, seed), world, reference, count,
-                                   4000 + 100 * k + 20 * seed, *drive)
+                                   4000 + 1000 * k + 100 * seed, *drive)
             trials.append(Trial(NAME, "alike_%d_%d" % (k, seed), kind, run, count))
     return trials
 
