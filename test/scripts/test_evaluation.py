@@ -3,6 +3,8 @@
 
 import csv
 import json
+import math
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -109,6 +111,28 @@ class Shares(unittest.TestCase):
         self.assertAlmostEqual(trials.wilson(10, 10)[1], 1.0)
         self.assertEqual(trials.share_text(38, 40), "95 (83 to 99)")
         self.assertEqual(trials.share_text(0, 0), "-")
+
+
+class CutMap(unittest.TestCase):
+
+    DESCRIPTION = "resolution: 1.0\norigin: [%g, %g, 0.0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n"
+
+    def test_what_the_session_map_shows_and_its_surroundings_are_unknown(self):
+        with tempfile.TemporaryDirectory() as name:
+            directory = Path(name)
+            (directory / "reference.pgm").write_bytes(b"P5 6 5 255\n" + bytes([254] * 29 + [0]))
+            (directory / "reference.yaml").write_text("image: reference.pgm\n" + self.DESCRIPTION % (10, 20))
+            # one known cell, at (0.5, 1.5) of its map, where the truth puts it to (14.5, 23.5) of the reference map
+            (directory / "session.pgm").write_bytes(b"P5 2 2 255\n" + bytes([254, 205, 205, 205]))
+            (directory / "session.yaml").write_text("image: session.pgm\n" + self.DESCRIPTION % (0, 0))
+            truth = {"x": 16.0, "y": 23.0, "yaw": math.pi / 2}
+            (directory / "truth.json").write_text(json.dumps(truth))
+            subprocess.run([CHECKOUT / "scripts/evaluation/cut_map", directory / "reference.yaml",
+                            directory / "session.yaml", directory / "truth.json", "1", directory / "cut.yaml"],
+                           check=True)
+            rows = (directory / "cut.pgm").read_bytes()[-30:]
+        drawn = ["".join({254: ".", 0: "#", 147: "?"}[v] for v in rows[k:k + 6]) for k in range(0, 30, 6)]
+        self.assertEqual(drawn, ["...???", "...???", "...???", "......", ".....#"])
 
 
 class Judged(unittest.TestCase):
