@@ -2,6 +2,7 @@
 import matplotlib.pyplot as plt
 import office
 from pages import COLUMNS, arguments_of, draw_map, picture, save, section, table, write_table
+from trials import Trial
 
 NAME = "cold_starts"
 INTERVAL = 30.0  # [s] between two starts
@@ -32,6 +33,12 @@ def plan(runs, arguments):
                     *simulation, "--mapper-config", config, "--restart-interval", INTERVAL,
                     *(["--scrub"] if variant == "scrubbed" else [])], monte_carlo=True))
     return drives, office.recorded_map(arguments)
+
+
+def trials_of(planned):
+    drives, walls = planned
+    building = "asl_office" if walls else "generated_1"
+    return [Trial(NAME, building, "%g %s" % condition, run) for condition, runs in drives.items() for run in runs]
 
 
 def starts_of(run):

@@ -7,6 +7,7 @@ import office
 from pages import (COLUMNS, absolute, arguments_of, picture, plot_match, plot_times, save, section, stage_time, table,
                    write_table)
 from runs import Statistics
+from trials import Trial
 
 NAME = "crowd"
 RIGHT = 1.0  # [m]
@@ -66,6 +67,12 @@ def plan_replays(runs, arguments, drives):
                 "--first-overlay", runs.path(replay + "_first.png"), "--last-overlay",
                 runs.path(replay + "_last.png")], phase=3))
     return trials
+
+
+def trials_of(planned):
+    _, trials, has_office = planned
+    building = "asl_office" if has_office else "generated_1"
+    return [Trial(NAME, building, variant, run) for variant, variant_runs in trials.items() for run in variant_runs]
 
 
 def values_of(trials):

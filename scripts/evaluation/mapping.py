@@ -4,6 +4,7 @@ import shutil
 
 from pages import COLUMNS, arguments_of, picture, section, table, write_table
 from runs import Statistics
+from trials import Trial
 
 NAME = "mapping"
 VARIANTS = ("original", "scrubbed")
@@ -21,6 +22,11 @@ def plan(runs, arguments):
                     "--standing-share", 0.7, "--mapper-config", config, "--last-overlay", runs.path(name + ".png"),
                     *(["--scrub"] if variant == "scrubbed" else [])])
     return runs, drives
+
+
+def trials_of(planned):
+    return [Trial(NAME, "generated_1", "%g %s" % (density, variant), run)
+            for (density, _, variant), run in planned[1].items()]
 
 
 def distortion(rows):

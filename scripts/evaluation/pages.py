@@ -29,8 +29,9 @@ def picture(name, caption):
     return "![%s](%s)\n\n*%s*" % (caption.split(".")[0], name, caption)
 
 
-def arguments_of(runs):
-    """The runs with their arguments, to be unfolded."""
+def arguments_of(runs, unlisted=()):
+    """The runs with their arguments, to be unfolded; of the unlisted ones, those that failed."""
+    runs = [*runs, *[run for run in unlisted if run.problem]]
     lines = ["<details><summary>%d runs</summary>" % len(runs), "", "```"]
     for run in runs:
         arguments = [a.rsplit("/", 1)[-1] for a in run.arguments]
@@ -49,6 +50,40 @@ def write_table(path, runs, columns, rows_of=lambda run: run.rows()):
                 writer.writerow([run.name, *["" if row.get(c) is None else text(row[c]) for c in columns]])
 
 
+START_COLUMNS = ("session_age", "travelled", "hit_ratio", "margin", "translation_error", "rotation_error", "truth_x",
+                 "truth_y", "candidate_error", "candidate_rotation_error")
+
+
+def write_starts(path, trials):
+    """A row for each start: what became of it, why not more, and the row that decided or came last."""
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(["run", "building", "condition", "seed", "session", "outcome", "cause", *START_COLUMNS])
+        for trial in trials:
+            for start in trial.starts():
+                row = start.row or {}
+                writer.writerow([trial.run.name, trial.building, trial.condition, trial.seed(start.session),
+                                 int(start.session), start.outcome, start.cause,
+                                 *["" if row.get(c) is None else text(row[c]) for c in START_COLUMNS]])
+
+
+PAIR_COLUMNS = ("status", "certified", "hit_ratio", "upper_bound", "margin", "search_time")
+
+
+def write_pairs(path, pairs):
+    """A row for each pair of maps: what became of it, and where the best place is off that was found."""
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(["building", "set", "session", "outcome", *PAIR_COLUMNS, "candidate_error"])
+        for pair in pairs:
+            result = pair.result()
+            if result is not None:
+                writer.writerow([pair.building, *pair.session, pair.outcome(),
+                                 *[text(result[c]) for c in PAIR_COLUMNS],
+                                 "" if result["candidate"] is None or pair.truth is None
+                                 else text(pair.errors(result["candidate"])[0])])
+
+
 def text(value):
     return "%.6g" % value if isinstance(value, float) else value
 
@@ -59,14 +94,20 @@ def save(figure, path):
     plt.close(figure)
 
 
-def draw_map(axis, path):
-    """The walls of a map file behind what is drawn on the axis; maps that are not turned."""
+def read_map(path):
+    """The image of a map file and its extent [m]: x_min, y_min, x_max, y_max; of maps that are not turned."""
     with open(path, encoding="utf-8") as file:
         description = yaml.safe_load(file)
     image = plt.imread(path.parent / description["image"])
     x, y = description["origin"][:2]
     width, height = (description["resolution"] * cells for cells in image.shape[1::-1])
-    axis.imshow(image, cmap="gray", extent=(x, x + width, y, y + height), alpha=0.6)
+    return image, (x, y, x + width, y + height)
+
+
+def draw_map(axis, path):
+    """The walls of a map file behind what is drawn on the axis."""
+    image, (x_min, y_min, x_max, y_max) = read_map(path)
+    axis.imshow(image, cmap="gray", extent=(x_min, x_max, y_min, y_max), alpha=0.6)
 
 
 def stage_time(row, stage):

@@ -1,5 +1,6 @@
 """Cold starts along recorded drives, as they were recorded and among simulated people."""
 from pages import COLUMNS, arguments_of, section, table, write_table
+from trials import Trial
 
 NAME = "real_logs"
 BAGS = {  # name: map, parameters of the mapper, seconds between two starts
@@ -29,6 +30,11 @@ def plan(runs, arguments):
                     "--bag", path, "--reference", reference, "--truth", "/ground_truth", "--mapper-config", config,
                     "--restart-interval", interval, *people, *scrub])
     return drives
+
+
+def trials_of(drives):
+    return [Trial(NAME, BAGS[bag][0], "%s %g %s" % (bag, density, variant), run)
+            for (bag, density, variant), run in drives.items()]
 
 
 def outcomes_at(rows, length):

@@ -5,6 +5,7 @@ import math
 import subprocess
 from pathlib import Path
 
+MATCHING = ("evaluate_drive", "match_maps")  # programs that take parameters of the matcher
 SCRIPTS = Path(__file__).resolve().parent.parent
 
 
@@ -81,9 +82,10 @@ def number(text):
 class Runs:
     """All runs of an evaluation."""
 
-    def __init__(self, directory, tools):
+    def __init__(self, directory, tools, config=None):
         self.directory = directory
         self.tools = tools
+        self.config = config  # parameters of the matcher in all runs; None: its defaults
         self.all = []
         directory.mkdir(parents=True, exist_ok=True)
 
@@ -91,16 +93,19 @@ class Runs:
         return self.directory / name
 
     def add(self, name, program, arguments, outputs, phase=0, accepted_statuses=(0,)):
+        """The same name is the same run, whichever experiments need it."""
+        for run in self.all:
+            if run.name == name:
+                return run
+        if self.config and program in MATCHING:
+            arguments = [*arguments, "--config", self.config]
         run = Run(self.directory, name, self.tools / program, arguments, outputs, phase, accepted_statuses)
         self.all.append(run)
         return run
 
     def drive(self, name, arguments, phase=1, monte_carlo=False):
-        """A run of evaluate_drive; its first output is the table, the second one that of Monte-Carlo localization. The
-        same name is the same run."""
-        for run in self.all:
-            if run.name == name:
-                return run
+        """A run of evaluate_drive; its first output is the table, the second one that of Monte-Carlo
+        localization."""
         outputs = [self.path(name + ".csv")]
         options = ["--output", outputs[0]]
         if monte_carlo:

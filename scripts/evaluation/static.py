@@ -4,22 +4,35 @@ import shutil
 from pages import (COLUMNS, absolute, arguments_of, picture, plot_match, plot_times, section, stage_time, table,
                    write_table)
 from runs import Statistics
+from trials import Trial
 
 NAME = "static"
 EXACT_ODOMETRY = [f"--alpha{k}=1e-6" for k in (1, 2, 3, 4)]
 
 
+def duration_of(arguments):
+    """Length of a drive [s]."""
+    return 60 if arguments.quick else 800
+
+
+def reference_of(runs, arguments, centimetres):
+    """The reference map of cells of this size, which a run draws with sigma 0.01 m, and the configuration of the
+    mapper."""
+    config = runs.write_config("static_mapper_%dcm" % centimetres, delta=centimetres / 100)
+    reference = runs.path("static_reference_%dcm.yaml" % centimetres)
+    runs.add("static_reference_%dcm" % centimetres, "evaluate_drive",
+             ["--output", runs.path("static_reference_%dcm.csv" % centimetres), "--session", reference,
+              "--place-session", "--itinerary", "explore", "--duration", duration_of(arguments), "--seed", 100,
+              "--sigma", 0.01, *EXACT_ODOMETRY, "--mapper-config", config], [reference])
+    return reference, config
+
+
 def plan(runs, arguments):
-    """A reference map for each resolution, drawn with sigma 0.01 m, and a drive for each resolution and sigma."""
-    duration = 60 if arguments.quick else 800
+    """A drive for each resolution and sigma."""
+    duration = duration_of(arguments)
     drives = []
     for centimetres in (5,) if arguments.quick else (5, 2):
-        config = runs.write_config("static_mapper_%dcm" % centimetres, delta=centimetres / 100)
-        reference = runs.path("static_reference_%dcm.yaml" % centimetres)
-        runs.add("static_reference_%dcm" % centimetres, "evaluate_drive",
-                 ["--output", runs.path("static_reference_%dcm.csv" % centimetres), "--session", reference,
-                  "--place-session", "--itinerary", "explore", "--duration", duration, "--seed", 100, "--sigma", 0.01,
-                  *EXACT_ODOMETRY, "--mapper-config", config], [reference])
+        reference, config = reference_of(runs, arguments, centimetres)
         for sigma in (0.03,) if arguments.quick else (0.03, 0.05):
             name = "static_%dcm_sigma%g" % (centimetres, sigma)
             drives.append(runs.drive(name, [
@@ -27,6 +40,10 @@ def plan(runs, arguments):
                 sigma, "--mapper-config", config, "--first-overlay", runs.path(name + "_first.png"), "--last-overlay",
                 runs.path(name + "_last.png")]))
     return runs, drives
+
+
+def trials_of(planned):
+    return [Trial(NAME, "generated_1", run.name, run) for run in planned[1]]
 
 
 def report(planned, page):

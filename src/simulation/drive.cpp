@@ -62,7 +62,8 @@ const DriveOptions& checked(const DriveOptions& options) {
 }
 
 ItineraryOptions itineraryOf(const DriveOptions& options) {
-  return {options.robot.radius, options.min_waypoint_distance, options.start, options.waypoints, options.explore};
+  return {options.robot.radius, options.min_waypoint_distance, options.start, options.area, options.waypoints,
+          options.explore};
 }
 
 /// Parts of a period that are not longer than `longest` [s].

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
+#include "map_matcher/parameters/number_text.hpp"
 #include "map_matcher/parameters/option_check.hpp"
 #include "map_matcher/simulation/random_numbers.hpp"
 
@@ -11,6 +13,8 @@ namespace map_matcher::simulation {
 namespace {
 
 constexpr std::uint64_t kPlanStream = 1;  // of the seed
+constexpr std::uint64_t kDoorStream = 1;  // of the seed of changes
+constexpr double kWideDoor = 1.2;         // [m] from which a door is never shut
 constexpr double kApproachDepth = 1.1;    // [m] of empty floor before and behind a door
 constexpr double kJambWall = 0.25;        // [m] of wall between a door and the corner of a room
 constexpr double kSmallestRoom = 2.4;     // [m] along the corridor
@@ -34,8 +38,9 @@ class PlanDrawer {
     chooseCorridors();
     addHall();
     for (const Strip& strip : addCorridorsAndFoyer()) {
-      addRooms(strip);
+      options_.copied_rooms > 0.0 ? addCopiedRooms(strip) : addRooms(strip);
     }
+    shutDoors();
     return std::move(plan_);
   }
 
@@ -129,6 +134,30 @@ class PlanDrawer {
     }
   }
 
+  /// Rooms of the same width with their doors at the same place; what is left over is added to the last one.
+  void addCopiedRooms(const Strip& strip) {
+    const double width = options_.copied_rooms;
+    const auto num_rooms = std::max(1, static_cast<int>(strip.area.width() / width + 1e-9));
+    const double door = doorPosition(0.0, std::min(width, strip.area.width()), options_.door_width);
+    const std::size_t first = plan_.spaces.size();
+    for (int i = 0; i < num_rooms; ++i) {
+      const bool is_last = i + 1 == num_rooms;
+      const double left = strip.area.x_min + i * width;
+      const Rectangle room{left, strip.area.y_min, is_last ? strip.area.x_max : left + width, strip.area.y_max};
+      const bool is_copy = i > 0 && room.width() < width + 1e-9;
+      plan_.spaces.push_back({SpaceKind::kRoom, room, is_copy ? std::make_optional(first) : std::nullopt});
+      plan_.doors.push_back(
+          {{left + door, strip.corridor_is_above ? room.y_max : room.y_min}, options_.door_width, true});
+    }
+  }
+
+  void shutDoors() {
+    RandomNumbers random(options_.change_seed, kDoorStream);
+    for (Door& door : plan_.doors) {
+      door.is_shut = random.chance(options_.shut_doors) && door.width < kWideDoor;
+    }
+  }
+
   /// Some deep rooms have another room behind them; returns what is left of the room in front.
   Rectangle addInnerRoom(const Rectangle& room, bool corridor_is_above) {
     if (room.height() < 5.4 || room.width() < 3.2 || !random_.chance(0.35)) {
@@ -217,7 +246,12 @@ Rectangle Door::approach() const {
 
 FloorPlan drawFloorPlan(const OfficeBuildingOptions& options) {
   OfficeBuildingOptions checked = options;
-  parameters::throwIfAny(parameters::problemsOf(parametersOf(checked)));
+  std::vector<std::string> problems = parameters::problemsOf(parametersOf(checked));
+  if (options.copied_rooms > 0.0 && options.copied_rooms < kSmallestRoom) {
+    problems.push_back("copied_rooms is " + parameters::numberText(options.copied_rooms) + ", expected 0 or at least " +
+                       parameters::numberText(kSmallestRoom) + " m");
+  }
+  parameters::throwIfAny(problems);
   return PlanDrawer(options).draw();
 }
 

@@ -12,6 +12,7 @@ namespace map_matcher::simulation {
 namespace {
 
 constexpr std::uint64_t kFurnitureStream = 2;  // of the seed
+constexpr std::uint64_t kMovingStream = 2;     // of the seed of changes
 constexpr double kPassage = 0.85;              // [m] between pieces in a room
 constexpr double kCorridorPassage = 1.35;      // [m] between pieces in a corridor
 
@@ -171,19 +172,48 @@ std::vector<Rectangle> keptFree(const FloorPlan& plan) {
   return kept;
 }
 
+/// What stands in a space, beside another one that it is a copy of.
+FurnishedSpace copied(const FurnishedSpace& original, double distance) {
+  FurnishedSpace copy = original;
+  copy.floor.x_min += distance;
+  copy.floor.x_max += distance;
+  for (Furniture& piece : copy.pieces) {
+    piece = placed(piece, {distance, 0.0, 0.0});
+  }
+  return copy;
+}
+
 }  // namespace
 
+std::uint64_t furnitureSeedOf(const OfficeBuildingOptions& options) {
+  return options.furniture_seed == 0 ? options.seed : options.furniture_seed;
+}
+
 std::vector<FurnishedSpace> furnish(const FloorPlan& plan, const OfficeBuildingOptions& options) {
-  RandomNumbers random(options.seed, kFurnitureStream);
+  RandomNumbers random(furnitureSeedOf(options), kFurnitureStream);
+  RandomNumbers moving(options.change_seed, kMovingStream);
   const std::vector<Rectangle> kept_free = keptFree(plan);
   std::vector<FurnishedSpace> spaces;
   for (const Space& space : plan.spaces) {
+    if (space.copy_of && options.copied_furniture) {
+      const double distance = space.walls.x_min - plan.spaces[*space.copy_of].walls.x_min;
+      spaces.push_back(copied(spaces[*space.copy_of], distance));
+      continue;
+    }
     const bool is_corridor = space.kind == SpaceKind::kCorridor;
     Furnisher furnisher(floorOf(space, plan, options), kept_free, is_corridor ? kCorridorPassage : kPassage, random);
     if (space.kind == SpaceKind::kRoom) {
       placeDoorLeaves(furnisher, plan.doors);
     }
     furnishSpace(space.kind, furnisher);
+    for (const Door& door : plan.doors) {
+      if (door.is_shut) {
+        furnisher.removeDoorLeaf(door);
+      }
+    }
+    if (options.moved_furniture > 0.0) {
+      furnisher.move(options.moved_furniture, moving);
+    }
     spaces.push_back(furnisher.space());
   }
   return spaces;

@@ -57,6 +57,7 @@ void addDesk(std::vector<Solid>& solids, double x, double y, double width, doubl
 
 Furniture placed(const Furniture& piece, const grid::Rigid2& T_plan_piece) {
   Furniture result;
+  result.is_fixed = piece.is_fixed;
   for (const Solid& solid : piece.solids) {
     result.solids.push_back({T_plan_piece * solid.pose, solid.half_size, solid.is_round});
   }
@@ -96,6 +97,7 @@ Furniture kitchenette(RandomNumbers& random) {
   piece.solids = {boxAtWall(-0.5 * refrigerator, width - refrigerator, 0.6),
                   boxAtWall(0.5 * (width - refrigerator), refrigerator, 0.68)};
   piece.footprint = {-0.5 * width, 0.0, 0.5 * width, 0.7};
+  piece.is_fixed = true;
   return piece;
 }
 
@@ -178,8 +180,8 @@ Furniture workbench(RandomNumbers& random) {
 Furniture pillar(RandomNumbers& random) {
   const double half = random.uniform(0.18, 0.28);
   const Rectangle footprint{-half, -half, half, half};
-  return random.chance(0.5) ? Furniture{{post(0.0, 0.0, half)}, footprint}
-                            : Furniture{{box(0.0, 0.0, 2.0 * half, 2.0 * half)}, footprint};
+  return random.chance(0.5) ? Furniture{{post(0.0, 0.0, half)}, footprint, true}
+                            : Furniture{{box(0.0, 0.0, 2.0 * half, 2.0 * half)}, footprint, true};
 }
 
 }  // namespace map_matcher::simulation

@@ -1,6 +1,8 @@
 #include "map_matcher/simulation/itinerary.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -24,6 +26,7 @@ Itinerary::Itinerary(const World& world, ItineraryOptions options, const RandomN
       options_(std::move(options)),
       planner_(world, options_.robot_radius + kPlanningMargin),
       random_(random),
+      places_(randomPlaces()),
       start_(chooseStart()),
       last_place_(start_.translation()) {
   if (options_.explore) {
@@ -70,15 +73,26 @@ std::optional<Path> Itinerary::otherWay(const Eigen::Vector2d& position, const E
   return way;
 }
 
-grid::Rigid2 Itinerary::chooseStart() {
-  const std::vector<Eigen::Vector2d>& places = planner_.places();
+std::vector<Eigen::Vector2d> Itinerary::randomPlaces() const {
+  const std::optional<Rectangle>& area = options_.area;
+  std::vector<Eigen::Vector2d> places;
+  std::copy_if(planner_.places().begin(), planner_.places().end(), std::back_inserter(places),
+               [&area](const Eigen::Vector2d& place) { return !area || contains(*area, place); });
   if (places.empty()) {
     std::ostringstream text;
     text << "the map has no free place for a robot of radius " << options_.robot_radius << " m";
+    if (area) {
+      text << " in the area from " << pointText({area->x_min, area->y_min}) << " to "
+           << pointText({area->x_max, area->y_max});
+    }
     throw std::invalid_argument(text.str());
   }
+  return places;
+}
+
+grid::Rigid2 Itinerary::chooseStart() {
   if (!options_.start) {
-    const Eigen::Vector2d place = places[random_.index(places.size())];
+    const Eigen::Vector2d place = places_[random_.index(places_.size())];
     return {place.x(), place.y(), random_.uniform(-M_PI, M_PI)};
   }
   const Eigen::Vector2d place = options_.start->translation();
@@ -92,10 +106,9 @@ grid::Rigid2 Itinerary::chooseStart() {
 }
 
 Eigen::Vector2d Itinerary::randomPlaceFarFrom(const Eigen::Vector2d& position) {
-  const std::vector<Eigen::Vector2d>& places = planner_.places();
   Eigen::Vector2d farthest = position;
   for (int i = 0; i < kWaypointTrials && (farthest - position).norm() < options_.min_waypoint_distance; ++i) {
-    const Eigen::Vector2d& place = places[random_.index(places.size())];
+    const Eigen::Vector2d& place = places_[random_.index(places_.size())];
     if ((place - position).norm() > (farthest - position).norm()) {
       farthest = place;
     }

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <stdexcept>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "map_matcher/simulation/floor_plan.hpp"
 #include "map_matcher/simulation/furnishing.hpp"
@@ -135,6 +138,12 @@ parameters::ParameterList parametersOf(OfficeBuildingOptions& options) {
        0.01, 0.5},
       {"door_width", "m", "Ordinary doors; some are wider.", &options.door_width, 0.9, 1.2},
       {"furnished", "", "Whether there is anything but walls and doors.", &options.furnished},
+      {"moved_furniture", "", "Share of the furniture that was moved elsewhere in its room.", &options.moved_furniture,
+       0.0, 1.0},
+      {"shut_doors", "", "Share of the ordinary doors that are shut.", &options.shut_doors, 0.0, 1.0},
+      {"copied_rooms", "m", "Width of rooms that are all the same; 0: every room is different.", &options.copied_rooms,
+       0.0, 8.0},
+      {"copied_furniture", "", "Whether such rooms have the same furniture, too.", &options.copied_furniture},
   };
 }
 
@@ -145,7 +154,9 @@ grid::OccupancyGrid officeBuilding(const OfficeBuildingOptions& options) {
     painter.clear(space);
   }
   for (const Door& door : plan.doors) {
-    painter.clear(door);
+    if (!door.is_shut) {
+      painter.clear(door);
+    }
   }
   if (options.furnished) {
     const std::vector<FurnishedSpace> furnished = furnish(plan, options);
@@ -158,6 +169,23 @@ grid::OccupancyGrid officeBuilding(const OfficeBuildingOptions& options) {
     }
   }
   return painter.take();
+}
+
+grid::OccupancyGrid officeFloors(const OfficeBuildingOptions& options, int num_floors) {
+  if (num_floors < 1) {
+    throw std::invalid_argument("there are " + std::to_string(num_floors) + " floors, expected at least 1");
+  }
+  OfficeBuildingOptions floor = options;
+  floor.furniture_seed = furnitureSeedOf(options);
+  grid::GridGeometry geometry;
+  std::vector<std::int8_t> values;
+  for (int k = 0; k < num_floors; ++k, ++floor.furniture_seed) {
+    const grid::OccupancyGrid drawn = officeBuilding(floor);
+    geometry = drawn.geometry();
+    values.insert(values.end(), drawn.values().begin(), drawn.values().end());
+  }
+  geometry.height *= num_floors;
+  return {geometry, std::move(values)};
 }
 
 }  // namespace map_matcher::simulation

@@ -10,8 +10,13 @@
 #include "file_roles.hpp"
 #include "map_matcher/grid/occupancy_grid.hpp"
 #include "map_matcher/simulation/drive.hpp"
+#include "map_matcher/simulation/rectangle.hpp"
 
 namespace map_matcher::tools {
+
+/// The rectangle that an option names by x_min y_min x_max y_max. Throws std::invalid_argument when there is nothing in
+/// it.
+simulation::Rectangle rectangleOf(const std::string& option, const std::vector<double>& values);
 
 /// Where and how to drive, as asked for on the command line.
 class DriveArguments {
@@ -19,8 +24,8 @@ class DriveArguments {
   /// Takes a first look at the command line: the robot that it names has defaults of its own.
   DriveArguments(int argc, char** argv);
 
-  /// Adds the options --map, --building-seed, --seed, --robot, --itinerary, --start, --waypoints and one for each
-  /// parameter of a drive. This object must outlive the parsing.
+  /// Adds the options --map, --building-seed, --seed, --robot, --itinerary, --start, --area, --waypoints and one for
+  /// each parameter of a drive. This object must outlive the parsing.
   void describe(CommandLine& command_line);
 
   /// The map file among the files that are read.
@@ -39,6 +44,7 @@ class DriveArguments {
   std::string itinerary_;
   std::vector<double> start_;
   std::vector<double> waypoints_;
+  std::vector<double> area_;
   simulation::DriveOptions drive_;
 };
 

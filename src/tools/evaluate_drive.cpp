@@ -4,6 +4,8 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "command_line.hpp"
 #include "drive_arguments.hpp"
@@ -17,6 +19,7 @@
 #include "map_matcher/ros/scrubbing/lidar_scrubber_server_options.hpp"
 #include "map_matcher/ros/trials/bag_session_maps.hpp"
 #include "map_matcher/ros/trials/bag_trial.hpp"
+#include "map_matcher/simulation/map_changes.hpp"
 #include "map_matcher/trials/monte_carlo_trial.hpp"
 #include "map_matcher/trials/simulated_trial.hpp"
 #include "map_matcher/trials/trial_table.hpp"
@@ -43,6 +46,9 @@ struct Arguments {
   ros_trials::BagTrialRequest recorded;
   std::string session_maps;
   std::string reference;
+  std::vector<double> missing;
+  int starts = 1;
+  bool stranger = false;
   std::string config;
   std::string mapper_config;
   std::string scrubber_config;
@@ -91,13 +97,22 @@ bool isRecorded(const Arguments& arguments) { return !arguments.recorded.bag.emp
 
 void warn(const std::string& text) { std::cerr << "evaluate_drive: warning: " << text << '\n'; }
 
+/// One drive after the other, each with the next seed.
 void simulate(const grid::OccupancyGrid& map, const Arguments& arguments, trials::Trial& trial) {
-  simulation::DriveSimulation simulation(map, arguments.drive.options());
-  while (const auto step = simulation.next()) {
-    for (const auto& detections : trials::trialDetectionsOf(*step)) {
-      trial.add(detections);
+  simulation::DriveOptions options = arguments.drive.options();
+  for (int start = 0; start < arguments.starts; ++start, ++options.seed) {
+    simulation::DriveSimulation simulation(map, options);
+    trial.beginDrive();
+    while (const auto simulated = simulation.next()) {
+      for (const auto& detections : trials::trialDetectionsOf(*simulated)) {
+        trial.add(detections);
+      }
+      trials::TrialStep step = trials::trialStepOf(*simulated, simulation.lidarPoses());
+      if (arguments.stranger) {
+        step.truth.reset();
+      }
+      trial.add(step);
     }
-    trial.add(trials::trialStepOf(*step, simulation.lidarPoses()));
   }
 }
 
@@ -259,13 +274,22 @@ void requireDistinctFiles(const Arguments& arguments) {
       .requireDistinct();
 }
 
+/// What is matched to, where `map` is what is driven in.
+grid::OccupancyGrid referenceFor(const Arguments& arguments, const grid::OccupancyGrid& map) {
+  grid::OccupancyGrid reference = arguments.reference.empty() ? map : grid::loadMap(arguments.reference);
+  if (arguments.missing.empty()) {
+    return reference;
+  }
+  return simulation::withoutPart(std::move(reference), map_matcher::tools::rectangleOf("--missing", arguments.missing));
+}
+
 void evaluate(const Arguments& arguments) {
   requireDistinctFiles(arguments);
   if (isRecorded(arguments) && arguments.reference.empty()) {
     throw std::invalid_argument("--bag is given without --reference, expected the YAML file of its map");
   }
   const grid::OccupancyGrid map = isRecorded(arguments) ? grid::loadMap(arguments.reference) : arguments.drive.map();
-  const grid::OccupancyGrid reference = arguments.reference.empty() ? map : grid::loadMap(arguments.reference);
+  const grid::OccupancyGrid reference = referenceFor(arguments, map);
   const trials::TrialOptions options = readOptions(arguments);
   if (!arguments.session_maps.empty()) {
     if (hasPeople(arguments)) {
@@ -284,9 +308,13 @@ void evaluate(const Arguments& arguments) {
 }
 
 void describeRecorded(map_matcher::tools::CommandLine& command_line, Arguments& arguments,
-                      const std::vector<const map_matcher::tools::Option*>& for_scans) {
+                      const std::vector<const map_matcher::tools::Option*>& for_scans,
+                      const std::vector<const map_matcher::tools::Option*>& for_simulation) {
   ros_trials::BagTrialRequest& recorded = arguments.recorded;
-  const auto& bag = command_line.add("--bag", &recorded.bag, "recorded drive to use instead of a simulated one");
+  auto& bag = command_line.add("--bag", &recorded.bag, "recorded drive to use instead of a simulated one");
+  for (const map_matcher::tools::Option* option : for_simulation) {
+    bag.excludes(*option);
+  }
   const auto& scan =
       command_line.add("--scan", &recorded.scan_topic, "its topic of scans; default: the only one").needs(bag);
   auto& session_maps = command_line
@@ -308,6 +336,10 @@ void describeRecorded(map_matcher::tools::CommandLine& command_line, Arguments& 
 void describe(map_matcher::tools::CommandLine& command_line, Arguments& arguments) {
   command_line.add("--output", &arguments.output, "CSV file to write: a row for each session map").required();
   command_line.add("--reference", &arguments.reference, "YAML file of the map to match to; default: the one driven in");
+  command_line
+      .add("--missing", &arguments.missing,
+           "the part of that map from x_min y_min to x_max y_max is unknown in it [m m m m]")
+      .count(4);
   command_line.add("--config", &arguments.config, "parameters, as in config/map_matcher.yaml");
   const auto& mapper_config =
       command_line.add("--mapper-config", &arguments.mapper_config, "parameters, as in config/session_mapper.yaml");
@@ -318,6 +350,15 @@ void describe(map_matcher::tools::CommandLine& command_line, Arguments& argument
                             .add("--restart-interval", &arguments.trial.restart_interval,
                                  "throw the session map away so often [s]; 0: never")
                             .range(0.0, 1e6);
+  const auto& starts =
+      command_line
+          .add("--starts", &arguments.starts,
+               "so many simulated drives, each a session of its own: with --seed, and with the seeds that follow")
+          .range(1, 10000);
+  const auto& stranger = command_line
+                             .add("--stranger", &arguments.stranger,
+                                  "the map to match to is another building's: no place in it is the robot's")
+                             .flag();
   const auto& monte_carlo = command_line.add("--monte-carlo", &arguments.monte_carlo,
                                              "CSV file to write: what Monte-Carlo localization without a prior makes "
                                              "of the same scans, at the same moments");
@@ -330,7 +371,7 @@ void describe(map_matcher::tools::CommandLine& command_line, Arguments& argument
       .flag();
   command_line.add("--first-overlay", &arguments.first_overlay, "picture of the first match");
   command_line.add("--last-overlay", &arguments.last_overlay, "picture of the last session map where it was matched");
-  describeRecorded(command_line, arguments, {&mapper_config, &scrub, &restart, &monte_carlo});
+  describeRecorded(command_line, arguments, {&mapper_config, &scrub, &restart, &monte_carlo}, {&starts, &stranger});
   arguments.drive.describe(command_line);
 }
 

@@ -42,9 +42,16 @@ void Trial::add(const TrialDetections& detections) {
   }
 }
 
+void Trial::beginDrive() {
+  is_new_drive_ = true;
+  past_.clear();
+  pending_.clear();
+  removals_.clear();
+}
+
 void Trial::add(const TrialStep& step) {
   const bool restart = options_.restart_interval > 0.0 && step.time - session_start_ >= options_.restart_interval;
-  if (session_ < 0 || restart) {
+  if (is_new_drive_ || restart) {
     beginSession(step);
   }
   if (last_odometry_) {
@@ -114,6 +121,7 @@ void Trial::noteSession(const TrialStep& step) {
   matching_.beginSession();
   ++session_;
   session_start_ = step.time;
+  is_new_drive_ = false;
   last_map_.reset();
   travelled_ = 0.0;
   last_odometry_.reset();

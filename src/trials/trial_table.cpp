@@ -1,6 +1,8 @@
 #include "map_matcher/trials/trial_table.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <initializer_list>
 #include <optional>
 #include <variant>
@@ -11,24 +13,26 @@
 namespace map_matcher::trials {
 namespace {
 
-/// A table's cell of what is told of something by a name; empty where it is not known.
+/// A table's cell; empty where nothing is known.
+std::string textOf(const belief::Field& field) {
+  if (const auto* text = std::get_if<std::string>(&field.value)) {
+    return *text;
+  }
+  if (const auto* number = std::get_if<double>(&field.value)) {
+    return parameters::numberText(*number);
+  }
+  if (const auto* count = std::get_if<std::int64_t>(&field.value)) {
+    return parameters::numberText(static_cast<double>(*count));
+  }
+  const auto* flag = std::get_if<bool>(&field.value);
+  return flag == nullptr ? "" : *flag ? "1" : "0";
+}
+
+/// The cell of what is told of something by a name; empty where it is not known.
 std::string cellOf(const belief::FieldList& fields, const std::string& name) {
   const auto field = std::find_if(fields.begin(), fields.end(),
                                   [&name](const belief::Field& candidate) { return candidate.name == name; });
-  if (field == fields.end()) {
-    return "";
-  }
-  if (const auto* text = std::get_if<std::string>(&field->value)) {
-    return *text;
-  }
-  if (const auto* number = std::get_if<double>(&field->value)) {
-    return parameters::numberText(*number);
-  }
-  if (const auto* count = std::get_if<std::int64_t>(&field->value)) {
-    return parameters::numberText(static_cast<double>(*count));
-  }
-  const auto* flag = std::get_if<bool>(&field->value);
-  return flag == nullptr ? "" : *flag ? "1" : "0";
+  return field == fields.end() ? "" : textOf(*field);
 }
 
 void addCells(CsvRow& row, const belief::FieldList& fields, std::initializer_list<const char*> names) {
@@ -97,9 +101,86 @@ constexpr const char* kHeader =
     "certified,hit_ratio,upper_bound,margin,exact_time,"
     "alignment_x,alignment_y,alignment_yaw,alignment_x_error,alignment_y_error,alignment_yaw_error,"
     "heading_drift,estimate_x,estimate_y,estimate_yaw,truth_x,truth_y,truth_yaw,translation_error,rotation_error,"
-    "occupied,falsely_occupied,nearby_cells,nearby_ratio,nearby_walls,nearby_walls_ratio,evidence\n";
+    "occupied,falsely_occupied,nearby_cells,nearby_ratio,nearby_walls,nearby_walls_ratio,evidence,"
+    "candidate_x,candidate_y,candidate_yaw,candidate_error,candidate_rotation_error,candidate_map_error,"
+    "candidate_map_rotation_error";
 
-std::string rowOf(const TrialQuery& query) {
+/// Names that a table has columns for, in the order in which they come.
+class ColumnNames {
+ public:
+  void add(const std::string& name) {
+    if (std::find(names_.begin(), names_.end(), name) == names_.end()) {
+      names_.push_back(name);
+    }
+  }
+  const std::vector<std::string>& names() const { return names_; }
+
+ private:
+  std::vector<std::string> names_;
+};
+
+/// Columns for what the answers tell in numbers, whatever it may be: what is added to an answer needs no line here.
+struct ToldColumns {
+  explicit ToldColumns(const std::vector<TrialQuery>& queries) {
+    for (const belief::Field& field : belief::fieldsOf(belief::Answer{})) {
+      addAnswer(field);
+    }
+    for (const TrialQuery& query : queries) {
+      for (const belief::Field& field : belief::fieldsOf(query.answer)) {
+        addAnswer(field);
+      }
+      for (const belief::Evidence& piece : query.answer.evidence) {
+        evidence.add(piece.name);
+      }
+    }
+  }
+
+  std::string header() const {
+    std::string header;
+    for (const std::string& name : answer.names()) {
+      header += ",answer." + name;
+    }
+    for (const std::string& name : evidence.names()) {
+      header += ",evidence." + name;
+    }
+    return header;
+  }
+
+  void addTo(CsvRow& row, const belief::Answer& told) const {
+    const belief::FieldList fields = belief::fieldsOf(told);
+    for (const std::string& name : answer.names()) {
+      row.add(cellOf(fields, name));
+    }
+    for (const std::string& name : evidence.names()) {
+      const belief::Evidence* piece = belief::find(told.evidence, name);
+      row.add(piece == nullptr || std::isnan(piece->value) ? "" : parameters::numberText(piece->value));
+    }
+  }
+
+  ColumnNames answer;
+  ColumnNames evidence;
+
+ private:
+  /// Sentences and poses have columns of their own, or none.
+  void addAnswer(const belief::Field& field) {
+    if (!std::holds_alternative<std::string>(field.value) && !std::holds_alternative<grid::Rigid2>(field.value) &&
+        !std::holds_alternative<std::monostate>(field.value)) {
+      answer.add(field.name);
+    }
+  }
+};
+
+void addCandidate(CsvRow& row, const TrialQuery& query) {
+  const std::optional<evaluation::PoseError> robot = query.candidateError();
+  const std::optional<search::PlaceDifference> map = query.candidateMapError();
+  row.add(query.candidate());
+  row.add(robot ? std::optional<double>(robot->translation) : std::nullopt);
+  row.add(robot ? std::optional<double>(robot->rotation) : std::nullopt);
+  row.add(map ? std::optional<double>(map->distance) : std::nullopt);
+  row.add(map ? std::optional<double>(map->angle) : std::nullopt);
+}
+
+std::string rowOf(const TrialQuery& query, const ToldColumns& columns) {
   const belief::Answer& answer = query.answer;
   const std::optional<grid::Rigid2> alignment = query.alignment();
   const std::optional<evaluation::PoseError> error = query.robotError();
@@ -126,15 +207,18 @@ std::string rowOf(const TrialQuery& query) {
   row.add(query.falsely_occupied);
   addSurroundings(row, answer);
   row.add(evidenceText(answer));
+  addCandidate(row, query);
+  columns.addTo(row, answer);
   return row.line();
 }
 
 }  // namespace
 
 std::string toCsv(const std::vector<TrialQuery>& queries) {
-  std::string csv = kHeader;
+  const ToldColumns columns(queries);
+  std::string csv = kHeader + columns.header() + "\n";
   for (const TrialQuery& query : queries) {
-    csv += rowOf(query);
+    csv += rowOf(query, columns);
   }
   return csv;
 }

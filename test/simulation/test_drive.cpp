@@ -51,6 +51,27 @@ TEST_P(Drives, throughBuildingsGoFarAndTouchNothing) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, Drives, testing::Range<std::uint64_t>(0, 8));
 
+TEST(Drive, startsAndHeadsForPlacesInTheAreaAlone) {
+  const grid::OccupancyGrid map = twoRooms();
+  DriveOptions options = shortDrive(1);
+  options.area = Rectangle{3.7, 0.0, 7.5, 4.0};  // the right room
+  for (options.seed = 1; options.seed <= 10; ++options.seed) {
+    const Drive drive = simulateDrive(map, options);
+    EXPECT_TRUE(contains(*options.area, drive.steps.front().T_map_base.translation())) << "seed " << options.seed;
+    EXPECT_GE(drive.visited.size(), 1U);
+    for (const Eigen::Vector2d& place : drive.visited) {
+      EXPECT_TRUE(contains(*options.area, place)) << place.transpose() << ", seed " << options.seed;
+    }
+  }
+}
+
+TEST(Drive, refusesAnAreaWithoutRoomForTheRobot) {
+  DriveOptions options = shortDrive(1);
+  options.area = Rectangle{3.4, 0.0, 3.6, 1.0};  // in the wall
+  EXPECT_EQ(thrownText<std::invalid_argument>([&] { simulateDrive(twoRooms(), options); }),
+            "the map has no free place for a robot of radius 0.25 m in the area from (3.4, 0) m to (3.6, 1) m");
+}
+
 TEST(Drive, keepsToTheLimitsOfTheRobot) {
   const DriveOptions options = shortDrive(1);
   const Drive drive = simulateDrive(building(1), options);

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -55,6 +56,31 @@ TEST_F(Evaluate, drawsThePageOfWhatWasDoneAndSaysWhatIsMissing) {
 
   ASSERT_EQ(done.exit_status, 0) << done.output;
   EXPECT_NE(page().find("**4 runs were not done yet and are missing from the tables.**"), std::string::npos) << page();
+}
+
+TEST_F(Evaluate, tellsWhatBecameOfStartsAndLeavesThePlacesThatWereFound) {
+  const ProgramRun done = run("--quick --only changed_world --data " + (dir / "nowhere"));
+
+  ASSERT_EQ(done.exit_status, 0) << done.output;
+  EXPECT_NE(page().find("| wrong poses announced, all experiments | 0 | 0 | - |"), std::string::npos) << page();
+  EXPECT_NE(page().find("| scrubbed | 2 | "), std::string::npos) << page();
+  EXPECT_EQ(page().find("nan"), std::string::npos) << page();
+  std::ifstream starts(output + "/page/changed_world.csv");
+  EXPECT_EQ(std::count(std::istreambuf_iterator<char>(starts), {}, '\n'), 5) << "a header and four starts";
+  std::ifstream candidates(output + "/candidates.csv");
+  std::string header;
+  std::getline(candidates, header);
+  for (const char* name : {"experiment", "building", "seed", "candidate_right", "candidate_error", "evidence."}) {
+    EXPECT_NE(header.find(name), std::string::npos) << name << " is not in " << header;
+  }
+}
+
+TEST_F(Evaluate, doesNotMixParametersIntoThePageOfTheDefaults) {
+  const ProgramRun done =
+      test::runProgram(test::sourceFile("scripts/evaluate"), "--quick --only sessions --config " + (dir / "x.yaml"));
+
+  EXPECT_EQ(done.exit_status, 2);
+  EXPECT_NE(done.output.find("--config is given without --output"), std::string::npos) << done.output;
 }
 
 TEST_F(Evaluate, namesABagThatIsNotThere) {

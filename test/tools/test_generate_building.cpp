@@ -26,6 +26,22 @@ TEST(GenerateBuilding, writesTheMapOfTheSeed) {
   EXPECT_EQ(grid::loadMap(dir / "office.yaml").values(), simulation::officeBuilding(options).values());
 }
 
+TEST(GenerateBuilding, writesAFloorThatHasChangedAndFloorsWithOnePlan) {
+  const test::TemporaryDir dir;
+  const ProgramRun run = generateBuilding(
+      "--resolution 0.1 --moved-furniture 0.3 --shut-doors 0.2 --change-seed 5 --furniture-seed 9 --floors 2 "
+      "--output " +
+      dir / "office.yaml");
+  ASSERT_EQ(run.exit_status, 0) << run.output;
+  simulation::OfficeBuildingOptions options;
+  options.resolution = 0.1;
+  options.moved_furniture = 0.3;
+  options.shut_doors = 0.2;
+  options.change_seed = 5;
+  options.furniture_seed = 9;
+  EXPECT_EQ(grid::loadMap(dir / "office.yaml").values(), simulation::officeFloors(options, 2).values());
+}
+
 TEST(GenerateBuilding, tellsItsOptionsWithTheirRangesAndDefaults) {
   const ProgramRun run = generateBuilding("--help");
   EXPECT_EQ(run.exit_status, 0);

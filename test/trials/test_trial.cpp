@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <string>
 
@@ -76,6 +77,41 @@ TEST(Trial, BeginsANewSessionWheneverTheIntervalIsOver) {
       EXPECT_LT(query.robotError()->translation, 0.2) << "at " << query.time << " s";
     }
   }
+}
+
+TEST(Trial, BeginsANewSessionWithEachDriveAsIfItWereTheFirst) {
+  const grid::OccupancyGrid map = office();
+  TrialOptions options = trialOptions();
+  options.scrub = true;
+  simulation::DriveOptions drive = driveOptions();
+  drive.duration = 4.0;
+  drive.pedestrians.density = 0.2;
+  Trial trial(map, options);
+  for (drive.seed = 1; drive.seed <= 2; ++drive.seed) {
+    simulation::DriveSimulation simulation(map, drive);
+    trial.beginDrive();
+    while (const auto step = simulation.next()) {
+      trial.add(trialStepOf(*step, simulation.lidarPoses()));
+      for (const TrialDetections& detections : trialDetectionsOf(*step)) {
+        trial.add(detections);
+      }
+    }
+  }
+  drive.seed = 2;
+  const std::vector<TrialQuery> alone = queriesOf(options, drive);
+
+  std::vector<TrialQuery> second;
+  for (const TrialQuery& query : trial.matching().queries()) {
+    ASSERT_LE(query.session, 1);
+    if (query.session == 1) {
+      second.push_back(query);
+    }
+  }
+  ASSERT_EQ(second.size(), alone.size());
+  EXPECT_EQ(second.front().time, 0.0);
+  EXPECT_EQ(second.back().travelled, alone.back().travelled);
+  EXPECT_EQ(second.back().occupied, alone.back().occupied);
+  EXPECT_EQ(second.back().answer.search.hit_cells, alone.back().answer.search.hit_cells);
 }
 
 TEST(Trial, ScrubsPeopleOutOfTheScans) {
@@ -184,6 +220,78 @@ TEST(TrialTable, TellsWhatTheExactSearchProved) {
   EXPECT_EQ(cellOf(csv, "nearby_walls"), "90");
   EXPECT_EQ(cellOf(csv, "nearby_walls_ratio"), "0.5");
   EXPECT_EQ(cellOf(csv, "exact_time"), "2.75");
+}
+
+TEST(TrialTable, TellsHowFarOffACandidateIsThatIsNotBelieved) {
+  TrialQuery query;
+  query.answer.status = belief::MatchStatus::kAmbiguous;
+  query.answer.search.found = true;
+  query.answer.search.T_reference_session = {3.0, 4.0, 0.25};
+  query.answer.search.session_centre = {1.0, 0.0};
+  query.true_alignment = grid::Rigid2{};
+  query.truth = grid::Rigid2{2.0, 0.0, 0.0};
+  query.T_session_base = {2.0, 0.0, 0.0};
+
+  const std::string csv = toCsv({query});
+
+  EXPECT_EQ(cellOf(csv, "matched"), "0");
+  EXPECT_EQ(cellOf(csv, "translation_error"), "");
+  EXPECT_EQ(cellOf(csv, "candidate_x"), "3");
+  EXPECT_EQ(cellOf(csv, "candidate_yaw"), "0.25");
+  EXPECT_NEAR(std::stod(cellOf(csv, "candidate_error")),
+              std::hypot(3.0 + 2.0 * std::cos(0.25) - 2.0, 4.0 + 2.0 * std::sin(0.25)), 1e-5);
+  EXPECT_NEAR(std::stod(cellOf(csv, "candidate_rotation_error")), 0.25, 1e-9);
+  EXPECT_NEAR(std::stod(cellOf(csv, "candidate_map_error")),
+              std::hypot(3.0 + std::cos(0.25) - 1.0, 4.0 + std::sin(0.25)), 1e-5);
+  EXPECT_NEAR(std::stod(cellOf(csv, "candidate_map_rotation_error")), 0.25, 1e-9);
+}
+
+TEST(TrialTable, HasNoCandidateWhereNoneWasFound) {
+  TrialQuery query;
+  query.true_alignment = grid::Rigid2{};
+  query.truth = grid::Rigid2{};
+
+  const std::string csv = toCsv({query});
+
+  for (const char* name : {"candidate_x", "candidate_error", "candidate_rotation_error", "candidate_map_error"}) {
+    EXPECT_EQ(cellOf(csv, name), "") << name;
+  }
+}
+
+belief::Evidence evidence(const std::string& name, double value) {
+  belief::Evidence piece;
+  piece.name = name;
+  piece.value = value;
+  return piece;
+}
+
+TEST(TrialTable, HasAColumnForEachPieceOfEvidenceThatAnyAnswerHolds) {
+  TrialQuery first;
+  first.answer.evidence = {evidence("hit_ratio", 0.5), evidence("seen_through", 1.25)};
+  TrialQuery second;
+  second.answer.evidence = {evidence("other_building", std::numeric_limits<double>::quiet_NaN()),
+                            evidence("hit_ratio", 0.75)};
+
+  const std::string csv = toCsv({first, second});
+  const std::string reversed = toCsv({second, first});
+
+  EXPECT_EQ(cellOf(csv, "evidence.hit_ratio"), "0.5");
+  EXPECT_EQ(cellOf(csv, "evidence.seen_through"), "1.25");
+  EXPECT_EQ(cellOf(csv, "evidence.other_building"), "");
+  EXPECT_EQ(cellOf(reversed, "evidence.hit_ratio"), "0.75");
+  EXPECT_EQ(cellOf(reversed, "evidence.seen_through"), "");
+  EXPECT_EQ(cellOf(reversed, "evidence.other_building"), "") << "nothing was measured";
+}
+
+TEST(TrialTable, TellsInNumbersWhateverAnAnswerDoes) {
+  TrialQuery query;
+  query.answer.search.hit_cells = 321;
+
+  const std::string csv = toCsv({query});
+
+  EXPECT_EQ(cellOf(csv, "answer.hit_cells"), "321");
+  EXPECT_EQ(cellOf(csv, "answer.runner_up_proven"), "0");
+  EXPECT_EQ(csv.find("answer.reason"), std::string::npos);
 }
 
 TEST(TrialTable, SaysNothingOfAnExactSearchThatDidNotRun) {

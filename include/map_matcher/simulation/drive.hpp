@@ -14,6 +14,7 @@
 #include "map_matcher/simulation/path_follower.hpp"
 #include "map_matcher/simulation/pedestrians.hpp"
 #include "map_matcher/simulation/person_detector.hpp"
+#include "map_matcher/simulation/rectangle.hpp"
 #include "map_matcher/simulation/robot.hpp"
 #include "map_matcher/simulation/world.hpp"
 
@@ -27,6 +28,7 @@ struct DriveOptions {
   double min_waypoint_distance = 8.0;  ///< [m] Straight distance of a random waypoint from the last, where possible.
   double patience = 10.0;              ///< [s] A robot that people hold up so long goes to another random waypoint.
   std::optional<grid::Rigid2> start;   ///< Pose in the map frame; random when there is none.
+  std::optional<Rectangle> area;       ///< Where random starts and waypoints lie [m, map frame]; none: anywhere.
   std::vector<Eigen::Vector2d> waypoints;  ///< [m] In the map frame, visited in this order; none: random ones for ever.
   bool explore = false;  ///< Goes to frontiers of what its lidars saw until all is seen; without waypoints.
   LidarOptions lidar;    ///< Of every lidar; T_base_lidar is where the first is mounted.
@@ -67,7 +69,7 @@ struct Drive {
 class DriveSimulation {
  public:
   /// Throws std::invalid_argument that names every option out of its range, a map without room for the robot, a start
-  /// or waypoint that the robot does not fit in or cannot reach.
+  /// or waypoint that the robot does not fit in or cannot reach, an area without room for it.
   DriveSimulation(const grid::OccupancyGrid& map, const DriveOptions& options);
   DriveSimulation(const DriveSimulation&) = delete;
   DriveSimulation& operator=(const DriveSimulation&) = delete;

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "map_matcher/simulation/office_building.hpp"
@@ -23,6 +25,7 @@ enum class SpaceKind {
 struct Space {
   SpaceKind kind;
   Rectangle walls;
+  std::optional<std::size_t> copy_of = {};  ///< Index of the space that it is a copy of, moved along x.
 };
 
 /// An opening in a wall between two spaces.
@@ -30,6 +33,7 @@ struct Door {
   Eigen::Vector2d centre;  ///< On the centre line of the wall [m].
   double width;            ///< Clear [m].
   bool in_wall_along_x;    ///< Whether the wall runs along x.
+  bool is_shut = false;    ///< Whether nobody gets or looks through.
 
   /// The floor in front of the door on both sides that has to stay empty [m].
   Rectangle approach() const;

@@ -2,6 +2,9 @@
 /// Finds places for furniture in one space of a floor.
 #pragma once
 
+#include <Eigen/Core>
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "map_matcher/simulation/floor_plan.hpp"
@@ -30,20 +33,38 @@ class Furnisher {
   /// Stands a door's leaf open on this side of it, when it is in nobody's way there.
   bool placeDoorLeaf(const Door& door);
 
-  RandomNumbers& random() { return random_; }
+  /// Takes the leaf of a door away, if there is one.
+  void removeDoorLeaf(const Door& door);
+
+  /// Moves this share of the pieces that are not fixed to random places of the space at least 0.5 m away, of the kind
+  /// that they stood at; those that find none are taken away. Door leaves stay.
+  void move(double share, RandomNumbers& random);
+
+  RandomNumbers& random() { return *random_; }
   const Rectangle& floor() const { return space_.floor; }
   const FurnishedSpace& space() const { return space_; }
 
  private:
+  /// How a piece of the space came to its place.
+  struct Placement {
+    Furniture piece;                      // before it was placed
+    std::vector<Side> sides;              // walls that it may stand at; none: free in the room
+    std::optional<Eigen::Vector2d> door;  // centre of the door that it is the leaf of [m]
+    std::optional<Eigen::Vector2d> from;  // where it stood before it was moved [m]
+  };
+
+  bool place(const Placement& placement);
+  grid::Rigid2 randomPose(const Placement& placement);
   grid::Rigid2 randomPoseAtWall(const Furniture& piece, Side side);
-  bool add(Furniture piece);
+  void remove(std::size_t index);
   bool fits(const Rectangle& footprint) const;
   bool isClear(const Rectangle& footprint) const;
 
   FurnishedSpace space_;
+  std::vector<Placement> placements_;  // of the pieces, in their order
   std::vector<Rectangle> kept_free_;
   double passage_;
-  RandomNumbers& random_;
+  RandomNumbers* random_;
 };
 
 }  // namespace map_matcher::simulation

@@ -2,6 +2,7 @@
 /// Puts furniture into a floor plan without blocking a way.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "map_matcher/simulation/floor_plan.hpp"
@@ -15,9 +16,13 @@ struct FurnishedSpace {
   std::vector<Furniture> pieces;  ///< In the frame of the plan.
 };
 
+/// The seed of the furniture of these options.
+std::uint64_t furnitureSeedOf(const OfficeBuildingOptions& options);
+
 /// Furniture for every space of the plan of these options, in the order of its spaces. Pieces touch a wall or leave a
 /// passage of 0.85 m to it; between two pieces there is always such a passage, and nothing stands where people come in.
-/// So the free floor of a space remains in one piece and every door can be reached.
+/// So the free floor of a space remains in one piece and every door can be reached. Furniture that is moved stands by
+/// the same rules; what finds no other place is gone.
 std::vector<FurnishedSpace> furnish(const FloorPlan& plan, const OfficeBuildingOptions& options);
 
 }  // namespace map_matcher::simulation

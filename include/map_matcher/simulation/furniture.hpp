@@ -22,7 +22,8 @@ struct Solid {
 /// middle; a piece that stands free has its centre at the origin.
 struct Furniture {
   std::vector<Solid> solids;
-  Rectangle footprint;  ///< Holds all solids, and where people sit [m].
+  Rectangle footprint;    ///< Holds all solids, and where people sit [m].
+  bool is_fixed = false;  ///< Whether nobody can move it.
 };
 
 /// The piece at a pose whose yaw is a multiple of a right angle.

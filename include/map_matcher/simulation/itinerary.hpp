@@ -12,6 +12,7 @@
 #include "map_matcher/simulation/lidar.hpp"
 #include "map_matcher/simulation/path_planner.hpp"
 #include "map_matcher/simulation/random_numbers.hpp"
+#include "map_matcher/simulation/rectangle.hpp"
 #include "map_matcher/simulation/world.hpp"
 
 namespace map_matcher::simulation {
@@ -21,6 +22,7 @@ struct ItineraryOptions {
   double robot_radius = 0.25;          ///< [m]
   double min_waypoint_distance = 8.0;  ///< [m] Straight distance of a random waypoint from the last, where possible.
   std::optional<grid::Rigid2> start;   ///< Pose in the map frame; random when there is none.
+  std::optional<Rectangle> area;       ///< Where random starts and waypoints lie [m, map frame]; none: anywhere.
   std::vector<Eigen::Vector2d> waypoints;  ///< [m] In the map frame, visited in this order; none: random ones for ever.
   bool explore = false;                    ///< Whether to go where nothing was seen yet; without waypoints.
 };
@@ -29,7 +31,7 @@ struct ItineraryOptions {
 class Itinerary {
  public:
   /// `world` must outlive the itinerary. Throws std::invalid_argument for a map without room for the robot, a start or
-  /// waypoint that the robot does not fit in or cannot reach.
+  /// waypoint that the robot does not fit in or cannot reach, an area without room for the robot.
   Itinerary(const World& world, ItineraryOptions options, const RandomNumbers& random);
 
   const grid::Rigid2& start() const { return start_; }
@@ -49,6 +51,7 @@ class Itinerary {
   std::optional<Path> otherWay(const Eigen::Vector2d& position, const Eigen::Vector2d& goal);
 
  private:
+  std::vector<Eigen::Vector2d> randomPlaces() const;
   grid::Rigid2 chooseStart();
   Eigen::Vector2d randomPlaceFarFrom(const Eigen::Vector2d& position);
   Path plan(const Eigen::Vector2d& from, const Eigen::Vector2d& to, const std::string& name) const;
@@ -58,6 +61,7 @@ class Itinerary {
   PathPlanner planner_;
   std::optional<Exploration> exploration_;
   RandomNumbers random_;
+  std::vector<Eigen::Vector2d> places_;  // that random starts and waypoints are among
   grid::Rigid2 start_;
   Eigen::Vector2d last_place_;    // the last random waypoint
   std::vector<Path> given_ways_;  // to the waypoints of the options

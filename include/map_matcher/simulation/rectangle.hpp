@@ -19,6 +19,9 @@ struct Rectangle {
   Eigen::Vector2d centre() const { return {0.5 * (x_min + x_max), 0.5 * (y_min + y_max)}; }  ///< [m]
 };
 
+/// Whether a point [m] lies in a rectangle or on its edge.
+bool contains(const Rectangle& rectangle, const Eigen::Vector2d& p);
+
 /// Distance between two rectangles along the axis on which they are farther apart [m]: positive when they are apart,
 /// minus the smaller overlap when they are not. Two squares that touch with their corners are 0 apart.
 double separation(const Rectangle& a, const Rectangle& b);

@@ -67,6 +67,9 @@ class Trial {
   /// before it.
   void add(const TrialDetections& detections);
 
+  /// Another drive begins: the next step is the first one of a new session, whatever its time.
+  void beginDrive();
+
   /// The next instant, in the order of time.
   void add(const TrialStep& step);
 
@@ -104,6 +107,7 @@ class Trial {
   std::vector<PastPose> past_;                      // of the last moments, the present one last
   std::vector<scan::LaserMount> mounts_;            // of each laser
   OnMoment on_moment_;                              // null when nobody asked
+  bool is_new_drive_ = true;
   int session_ = -1;
   double session_start_ = 0.0;
   std::optional<double> last_map_;

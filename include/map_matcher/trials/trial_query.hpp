@@ -6,6 +6,7 @@
 
 #include "map_matcher/belief/answer.hpp"
 #include "map_matcher/evaluation/trajectory_error.hpp"
+#include "map_matcher/search/search_result.hpp"
 
 namespace map_matcher::trials {
 
@@ -29,6 +30,14 @@ struct TrialQuery {
   std::optional<grid::Rigid2> estimate() const;
   /// Of the robot's pose; nothing when it or the truth is not known.
   std::optional<evaluation::PoseError> robotError() const;
+
+  /// T_reference_session of the best place that was found, believed or not; nothing when there is none.
+  std::optional<grid::Rigid2> candidate() const;
+  /// How far off the robot's pose is with the candidate; nothing when it or the truth is not known.
+  std::optional<evaluation::PoseError> candidateError() const;
+  /// How far the middle of the session map is off with the candidate, by the true alignment; nothing as above. It knows
+  /// nothing of a robot that the mapper has lost.
+  std::optional<search::PlaceDifference> candidateMapError() const;
 };
 
 }  // namespace map_matcher::trials
