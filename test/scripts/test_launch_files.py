@@ -70,6 +70,13 @@ class RobotLaunchFiles(unittest.TestCase):
             self.assertEqual([], [node for node in nodes if "scrubber" in node or "nodelets" in node])
             self.assertEqual([], [key for key, value in parameters.items() if "_scrubbed" in str(value)])
 
+    def test_diagnostics_are_grouped_on_request(self):
+        nodes, parameters = load("pioneer.launch", "aggregator:=true")
+
+        self.assertIn("localization_diagnostics", nodes)
+        analyzers = {key.split("/")[3] for key in parameters if key.startswith("/localization_diagnostics/analyzers/")}
+        self.assertEqual({"matcher", "scrubbers"}, analyzers)
+
     def test_a_mapper_that_is_not_there_is_named(self):
         with self.assertRaisesRegex(Exception, "slam_toolbox"):
             load("pioneer.launch", "mapper:=slam_toolbox")
