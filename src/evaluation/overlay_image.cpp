@@ -2,16 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
-#include <stdexcept>
 #include <vector>
 
-#include "map_matcher/files/output_file.hpp"
 #include "map_matcher/grid/occupied_cells.hpp"
 #include "map_matcher/search/matched_cells.hpp"
+#include "picture_file.hpp"
 
 namespace map_matcher::evaluation {
 namespace {
@@ -110,17 +107,7 @@ void writeOverlayImage(const std::string& path, const grid::OccupancyGrid& refer
   cv::Mat image = drawReference(reference, view, occupied_threshold);
   drawCells(image, unmatched, view, kUnmatchedColour);
   drawCells(image, matched, view, kMatchedColour);
-  std::vector<std::uint8_t> bytes;
-  bool is_encoded = false;
-  try {
-    is_encoded = cv::imencode(std::filesystem::path(path).extension().string(), image, bytes);
-  } catch (const cv::Exception&) {
-    is_encoded = false;
-  }
-  if (!is_encoded) {
-    throw std::runtime_error("picture '" + path + "' cannot be written; expected a path ending in .png");
-  }
-  files::writeFile(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  writePicture(path, image);
 }
 
 }  // namespace map_matcher::evaluation

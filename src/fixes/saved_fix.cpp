@@ -99,7 +99,7 @@ class FixReader {
 
   std::vector<double> numbers(const std::string& key, std::size_t count) const {
     const std::string expected = "a list of " + std::to_string(count) + " finite numbers";
-    const auto values = as<std::vector<double>>(key, expected);
+    auto values = as<std::vector<double>>(key, expected);
     if (values.size() != count) {
       fail(key, expected);
     }

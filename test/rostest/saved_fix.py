@@ -28,10 +28,13 @@ class SavedFix(NodeFixture):
         self.addCleanup(self.sending.shutdown)
 
     def start(self):
-        """The node, which saves its fix."""
-        self.log.clear()
+        """The node, which saves its fix. What it says at its start is in its output: nobody listens to /rosout so soon."""
+        self.output = open(os.path.join(self.directory.name, "output.txt"), "w+", encoding="utf-8")
+        self.addCleanup(self.output.close)
         program = roslib.packages.find_node("map_matcher", "map_matcher_node")[0]
-        node = subprocess.Popen([program, "__name:=map_matcher", "_fix_file:=" + self.path])
+        node = subprocess.Popen([program, "__name:=map_matcher", "_fix_file:=" + self.path],
+                                stdout=self.output, stderr=subprocess.STDOUT,
+                                env=dict(os.environ, ROSCONSOLE_STDOUT_LINE_BUFFERED="1"))
         self.addCleanup(node.kill)
         wait_until(lambda: self.session.get_num_connections() == 1 and self.reference.get_num_connections() == 1,
                    "the node listens")
@@ -52,7 +55,11 @@ class SavedFix(NodeFixture):
         return match
 
     def line(self, text):
-        return self.log.wait_for(lambda line: text in line.msg, "a line with '%s'" % text).msg
+        def lines():
+            self.output.seek(0)
+            return [line for line in self.output if text in line]
+        wait_until(lines, "a line with '%s'" % text)
+        return lines()[0]
 
     def test_is_offered_at_the_next_start(self):
         match = self.save()
@@ -65,7 +72,7 @@ class SavedFix(NodeFixture):
 
         line = self.line("the robot was last at")
         expected = transformed((match.x, match.y, match.yaw), ROBOT[0], ROBOT[1])
-        actual = line.split("(")[1].split(")")[0].replace(" m", "").replace(" rad", "").split(", ")
+        actual = line.split("last at (")[1].split(")")[0].replace(" m", "").replace(" rad", "").split(", ")
         self.assertAlmostEqual(float(actual[0]), expected[0], delta=1e-3)
         self.assertAlmostEqual(float(actual[1]), expected[1], delta=1e-3)
         self.assertIn(self.path, line)

@@ -38,8 +38,8 @@ class SimulatedCrowd(unittest.TestCase):
         tf2_ros.TransformListener(buffer)
         truth = Listener("/ground_truth", geometry_msgs.msg.PoseStamped)
         matches = Listener("/map_match", MapMatch)
-        raw = Listener("/nonscrubbed/scan", LaserScan)
-        scrubbed = Listener("/scan", LaserScan)
+        raw = Listener("/scan", LaserScan)
+        scrubbed = Listener("/scan_scrubbed", LaserScan)
         run_launch("simulated_crowd.launch", DEADLINE, *LAUNCH, "simulator_config:=" + self.config)
 
         self.assertIn(MapMatch.MATCHED, {match.status for match in matches.messages})

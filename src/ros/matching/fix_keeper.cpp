@@ -72,8 +72,12 @@ void FixKeeper::keep(const ros::Time& now) {
   writer_->submit([path = path_, fix = *last_](const work::StopToken& /*stop*/) { fixes::saveFix(fix, path); });
 }
 
-std::optional<belief::Prior> FixKeeper::offer(const MapsInUse& maps, const ros::Time& now) {
-  if (!offered_ || !maps.reference || maps.session_frame.empty()) {
+std::optional<belief::Prior> FixKeeper::offer(const MapsLookup& look_up, const ros::Time& now) {
+  if (!offered_) {
+    return std::nullopt;
+  }
+  const MapsInUse maps = look_up();
+  if (!maps.reference || maps.session_frame.empty()) {
     return std::nullopt;
   }
   if (offered_->reference_digest != digestOf(maps.reference)) {

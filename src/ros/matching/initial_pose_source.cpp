@@ -40,7 +40,8 @@ std::string problemWithInitialPose(const geometry_msgs::PoseWithCovarianceStampe
   return grid::problemWithCovariance(ros_common::planarCovariance(message.pose));
 }
 
-InitialPoseSource::InitialPoseSource(ros::NodeHandle node, const RobotPoseSource& robot, Maps maps, Listener listener)
+InitialPoseSource::InitialPoseSource(ros::NodeHandle node, const RobotPoseSource& robot, MapsLookup maps,
+                                     Listener listener)
     : robot_(robot), maps_(std::move(maps)), listener_(std::move(listener)) {
   subscriber_ = node.subscribe<geometry_msgs::PoseWithCovarianceStamped, const PoseEvent&>(
       ros_common::names::kInitialPose, 1, [this](const PoseEvent& event) { onPose(event); });

@@ -99,7 +99,7 @@ void MapMatcherServer::onTick() {
   }
   pose_publisher_.publishPending(now);
   operator_.tick(now);
-  if (const std::optional<belief::Prior> prior = announcer_.tick(mapsInUse(), now)) {
+  if (const std::optional<belief::Prior> prior = announcer_.tick([this] { return mapsInUse(); }, now)) {
     suppose(*prior);
   }
 }

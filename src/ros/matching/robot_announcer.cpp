@@ -19,7 +19,7 @@ void RobotAnnouncer::clear() {
   initial_pose_publisher_.clear();
 }
 
-std::optional<belief::Prior> RobotAnnouncer::tick(const MapsInUse& maps, const ros::Time& now) {
+std::optional<belief::Prior> RobotAnnouncer::tick(const MapsLookup& maps, const ros::Time& now) {
   initial_pose_publisher_.publishPending();
   keeper_.keep(now);
   return keeper_.offer(maps, now);

@@ -42,8 +42,8 @@ class FixKeeper {
   void keep(const ros::Time& now);
 
   /// What the last run saved, as where the session lies, if it is about this reference map: once, as soon as tf knows
-  /// the robot in the session map. To be called again and again.
-  std::optional<belief::Prior> offer(const MapsInUse& maps, const ros::Time& now);
+  /// the robot in the session map. To be called again and again; the maps are looked up only while there is an offer.
+  std::optional<belief::Prior> offer(const MapsLookup& look_up, const ros::Time& now);
 
  private:
   std::uint64_t digestOf(const ReferenceMapPtr& reference);

@@ -22,6 +22,9 @@ struct MapsInUse {
   std::string session_frame;  ///< Empty: no session map yet.
 };
 
+/// Looks up the maps in use, which may wait for somebody who changes them.
+using MapsLookup = std::function<MapsInUse()>;
+
 /// What is wrong with a pose that is said to be the robot's in `reference`, with the value and what was expected; ""
 /// when it can be used.
 std::string problemWithInitialPose(const geometry_msgs::PoseWithCovarianceStamped& message,
@@ -35,11 +38,10 @@ class InitialPoseSource {
   /// How long a pose waits for tf [s].
   static constexpr double kPatience = 1.0;
 
-  using Maps = std::function<MapsInUse()>;
   using Listener = std::function<void(const belief::Prior&)>;
 
   /// `robot` must outlive this.
-  InitialPoseSource(ros::NodeHandle node, const RobotPoseSource& robot, Maps maps, Listener listener);
+  InitialPoseSource(ros::NodeHandle node, const RobotPoseSource& robot, MapsLookup maps, Listener listener);
 
   /// Hands over a pose that waits if tf allows; to be called again and again.
   void handOver(const ros::Time& now);
@@ -57,7 +59,7 @@ class InitialPoseSource {
   void ignore(const std::string& why);
 
   const RobotPoseSource& robot_;
-  Maps maps_;
+  MapsLookup maps_;
   Listener listener_;
   std::optional<Pending> pending_;
   ros::Subscriber subscriber_;

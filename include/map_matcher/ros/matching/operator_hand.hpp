@@ -17,7 +17,7 @@ class OperatorHand {
  public:
   /// What is done about it.
   struct Actions {
-    std::function<MapsInUse()> maps;
+    MapsLookup maps;
     std::function<void(const belief::Prior&)> suppose;       ///< The session lies there, says an operator.
     std::function<void(const std::string& service)> forget;  ///< All that is believed is to be forgotten.
   };

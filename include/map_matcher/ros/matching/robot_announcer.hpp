@@ -29,7 +29,7 @@ class RobotAnnouncer {
 
   /// Sends and saves what is due; to be called again and again. Returns where the last run of the node says that the
   /// session lies, once, when that is known.
-  std::optional<belief::Prior> tick(const MapsInUse& maps, const ros::Time& now);
+  std::optional<belief::Prior> tick(const MapsLookup& maps, const ros::Time& now);
 
  private:
   RobotLocator locator_;
