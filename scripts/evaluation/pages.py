@@ -58,12 +58,12 @@ def write_starts(path, trials):
     """A row for each start: what became of it, why not more, and the row that decided or came last."""
     with open(path, "w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(["run", "building", "condition", "seed", "session", "outcome", "cause", *START_COLUMNS])
+        writer.writerow(["run", "building", "condition", "seed", "start", "outcome", "cause", *START_COLUMNS])
         for trial in trials:
             for start in trial.starts():
                 row = start.row or {}
-                writer.writerow([trial.run.name, trial.building, trial.condition, trial.seed(start.session),
-                                 int(start.session), start.outcome, start.cause,
+                writer.writerow([trial.run.name, trial.building, trial.condition, trial.seed(start.number),
+                                 int(start.number), start.outcome, start.cause,
                                  *["" if row.get(c) is None else text(row[c]) for c in START_COLUMNS]])
 
 

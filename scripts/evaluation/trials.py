@@ -14,19 +14,20 @@ class Start:
     """What became of one start: the first place decides that was announced where the truth is known; without one the
     last status is the cause."""
 
-    def __init__(self, session, rows, in_reference):
-        self.session = session
-        early = [row for row in rows if row["session_age"] <= PATIENCE]
+    def __init__(self, number, rows, in_reference, clock):
+        self.number = number
+        early = [row for row in rows if row[clock] <= PATIENCE]
         first = next((row for row in early if row["matched"] == 1 and
                       not (in_reference and row["translation_error"] is None)), None)
         self.row = first or (early[-1] if early else None)
-        self.age = first["session_age"] if first else None
+        self.age = first[clock] if first else None
         self.outcome = "silent" if first is None else "right" if in_reference and announced_right(first) else "wrong"
         self.cause = "" if first else self.row["status"] if self.row else NO_MAP
 
 
 class Trial:
-    """A run of evaluate_drive, each session of which is a start."""
+    """A run of evaluate_drive. With --starts each drive is a start, however often its mapper begins anew, else each
+    session."""
 
     def __init__(self, experiment, building, condition, run, starts=None, in_reference=True):
         self.experiment = experiment
@@ -34,29 +35,32 @@ class Trial:
         self.condition = condition  # whatever else there is to tell, in a word or two
         self.run = run
         self.in_reference = in_reference  # whether the robot drives anywhere that the reference map shows
-        self._starts = starts  # how many there should be; None: as many as left a map
+        self._starts = starts  # how many drives there should be; None: the sessions that left a map
 
-    def seed(self, session):
+    def seed(self, number):
+        """Of a start."""
         arguments = self.run.arguments
         first = int(arguments[arguments.index("--seed") + 1]) if "--seed" in arguments else 1
-        return first + int(session) if "--starts" in arguments else first
+        return first + int(number) if self._starts else first
 
     def starts(self):
         """Every start, those that no map came of as well; none of a run that was not done."""
-        sessions = {}
+        rows_of = {float(number): [] for number in range(self._starts or 0)} if self.run.done() else {}
         for row in self.run.rows():
-            sessions.setdefault(row["session"], []).append(row)
-        if self._starts and self.run.done():
-            for session in range(self._starts):
-                sessions.setdefault(float(session), [])
-        return [Start(session, rows, self.in_reference) for session, rows in sorted(sessions.items())]
+            rows_of.setdefault(row[self._counter()], []).append(row)
+        clock = "time" if self._starts else "session_age"
+        return [Start(number, rows, self.in_reference, clock) for number, rows in sorted(rows_of.items())]
+
+    def _counter(self):
+        """The column that counts starts."""
+        return "drive" if self._starts else "session"
 
     def judged(self):
         """Each session map: a row of the table of candidates."""
         for row in self.run.rows():
             right = candidate_right(row) if self.in_reference or row.get("candidate_x") is None else False
             yield {"experiment": self.experiment, "building": self.building, "condition": self.condition,
-                   "run": self.run.name, "seed": self.seed(row["session"]), "session": row["session"],
+                   "run": self.run.name, "seed": self.seed(row[self._counter()]), "session": row["session"],
                    "age": row["session_age"], "status": row["status"], "announced": row["matched"],
                    "candidate_right": None if right is None else int(right),
                    **{name: value for name, value in row.items() if name.startswith(TOLD)}}

@@ -51,9 +51,13 @@ void Trial::beginDrive() {
 
 void Trial::add(const TrialStep& step) {
   const bool restart = options_.restart_interval > 0.0 && step.time - session_start_ >= options_.restart_interval;
+  if (is_new_drive_) {
+    ++drive_;
+  }
   if (is_new_drive_ || restart) {
     beginSession(step);
   }
+  is_new_drive_ = false;
   if (last_odometry_) {
     travelled_ += (step.T_odom_base.translation() - last_odometry_->translation()).norm();
   }
@@ -121,7 +125,6 @@ void Trial::noteSession(const TrialStep& step) {
   matching_.beginSession();
   ++session_;
   session_start_ = step.time;
-  is_new_drive_ = false;
   last_map_.reset();
   travelled_ = 0.0;
   last_odometry_.reset();
@@ -177,6 +180,7 @@ scrubbing::DetectionPose Trial::poseOf(const scrubbing::FrameAt& set, const scru
 void Trial::match(const TrialStep& step) {
   TrialQuery query;
   query.time = step.time;
+  query.drive = drive_;
   query.session = session_;
   query.session_age = step.time - session_start_;
   query.travelled = travelled_;

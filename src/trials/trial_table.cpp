@@ -101,7 +101,7 @@ constexpr const char* kHeader =
     "certified,hit_ratio,upper_bound,margin,exact_time,"
     "alignment_x,alignment_y,alignment_yaw,alignment_x_error,alignment_y_error,alignment_yaw_error,"
     "heading_drift,estimate_x,estimate_y,estimate_yaw,truth_x,truth_y,truth_yaw,translation_error,rotation_error,"
-    "occupied,falsely_occupied,nearby_cells,nearby_ratio,nearby_walls,nearby_walls_ratio,evidence,"
+    "occupied,falsely_occupied,nearby_cells,nearby_ratio,nearby_walls,nearby_walls_ratio,evidence,drive,"
     "candidate_x,candidate_y,candidate_yaw,candidate_error,candidate_rotation_error,candidate_map_error,"
     "candidate_map_rotation_error";
 
@@ -207,6 +207,7 @@ std::string rowOf(const TrialQuery& query, const ToldColumns& columns) {
   row.add(query.falsely_occupied);
   addSurroundings(row, answer);
   row.add(evidenceText(answer));
+  row.add(query.drive);
   addCandidate(row, query);
   columns.addTo(row, answer);
   return row.line();

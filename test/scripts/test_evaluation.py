@@ -24,7 +24,7 @@ KNOWN = {"matched": 0.0, "status": "ambiguous", "translation_error": None, "rota
 
 
 def row(session, age, **more):
-    return {"session": float(session), "session_age": age, **KNOWN, **more}
+    return {"session": float(session), "drive": float(session), "time": age, "session_age": age, **KNOWN, **more}
 
 
 def announced_row(session, age, error, turn=0.0):
@@ -80,12 +80,18 @@ class Starts(unittest.TestCase):
         trial = trials.Trial("experiment", "building", "", FakeRun(rows))
         self.assertEqual(announced.count([trial], [])[0], ["experiment", 1, 2, 2, 0, 0])
 
+    def test_a_drive_whose_mapper_begins_anew_is_one_start(self):
+        rows = [row(0, 0.0), {**announced_row(0, 12.0, 0.1), "session": 1.0, "session_age": 2.0},
+                {**announced_row(1, 21.0, 0.1), "session": 3.0, "session_age": 1.0}]
+        starts = self.starts_of(rows, 2)
+        self.assertEqual([(start.outcome, start.age) for start in starts], [("right", 12.0), ("silent", None)])
+
     def test_whatever_is_announced_in_a_strangers_map_is_wrong(self):
         start, = self.starts_of([announced_row(0, 0.0, None)], 1, in_reference=False)
         self.assertEqual(start.outcome, "wrong")
 
     def test_each_start_has_the_next_seed(self):
-        trial = trials.Trial("experiment", "building", "", FakeRun([], ["--starts", "4", "--seed", "41"]), 4)
+        trial = trials.Trial("experiment", "building", "", FakeRun([], ["--seed", "41"]), 4)
         self.assertEqual(trial.seed(3.0), 44)
 
 

@@ -68,6 +68,7 @@ TEST(Trial, BeginsANewSessionWheneverTheIntervalIsOver) {
   const std::vector<TrialQuery> queries = queriesOf(options, driveOptions());
 
   EXPECT_EQ(queries.back().session, 3);  // 0, 4, 8, 12 s
+  EXPECT_EQ(queries.back().drive, 0);
   for (const TrialQuery& query : queries) {
     EXPECT_LT(query.session_age, 4.0);
     if (query.session_age == 0.0) {
@@ -103,6 +104,7 @@ TEST(Trial, BeginsANewSessionWithEachDriveAsIfItWereTheFirst) {
   std::vector<TrialQuery> second;
   for (const TrialQuery& query : trial.matching().queries()) {
     ASSERT_LE(query.session, 1);
+    EXPECT_EQ(query.drive, query.session);
     if (query.session == 1) {
       second.push_back(query);
     }

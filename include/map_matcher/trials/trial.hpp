@@ -108,6 +108,7 @@ class Trial {
   std::vector<scan::LaserMount> mounts_;            // of each laser
   OnMoment on_moment_;                              // null when nobody asked
   bool is_new_drive_ = true;
+  int drive_ = -1;
   int session_ = -1;
   double session_start_ = 0.0;
   std::optional<double> last_map_;

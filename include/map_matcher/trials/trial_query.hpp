@@ -13,7 +13,8 @@ namespace map_matcher::trials {
 /// One session map, how it came to be and what the matcher made of it.
 struct TrialQuery {
   double time = 0.0;         ///< Of the map [s].
-  int session = 0;           ///< Counts the sessions from 0.
+  int drive = 0;             ///< Counts the drives from 0.
+  int session = 0;           ///< Counts the sessions of all drives from 0.
   double session_age = 0.0;  ///< Since the session's first scan [s].
   double travelled = 0.0;    ///< In the session, by odometry [m].
   belief::Answer answer;

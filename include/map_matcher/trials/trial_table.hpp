@@ -15,7 +15,7 @@ namespace map_matcher::trials {
 /// and their errors against the true alignment of the maps (report figure 10b); heading_drift, the error of the robot's
 /// heading in the session map, which bends walls that are parallel in truth; the robot's estimated and true pose and
 /// the error between them; occupied and falsely_occupied cells; the maps
-/// around the robot; evidence, each piece as name:bearing; the best place that was found, believed or not, as
+/// around the robot; evidence, each piece as name:bearing; drive; the best place that was found, believed or not, as
 /// candidate_x, _y, _yaw, with its errors: candidate_error and candidate_rotation_error of the robot's pose,
 /// candidate_map_error and candidate_map_rotation_error of the middle of the session map. Then all else that answers
 /// tell in numbers, as answer.<name>, and the value of each piece of evidence, as evidence.<name>. Units are s, m, rad
