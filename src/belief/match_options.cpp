@@ -1,9 +1,13 @@
 #include "map_matcher/belief/match_options.hpp"
 
+#include <algorithm>
+
+#include "map_matcher/belief/probability.hpp"
+
 namespace map_matcher::belief {
 
 search::Demand demandOf(const MatchOptions& options) {
-  return {options.belief.min_hit_ratio, options.belief.min_margin};
+  return {options.belief.min_hit_ratio, std::max(options.belief.min_margin, kLargestMargin)};
 }
 
 parameters::ParameterList parametersOf(MatchOptions& options) {

@@ -28,7 +28,11 @@ std::vector<Evidence> freeSpaceEvidence(const FreeSpace& space) {
   text << space.in_the_open << " m of the session's walls are free space in the reference map, " << space.on_walls
        << " m are walls there";
   open.text = text.str();
-  return {through, open};
+  Evidence agreeing{"agreeing_walls", space.agreeing(), kNothing, Bearing::kSilent, MatchStatus::kDoubtful, {}};
+  text.str("");
+  text << space.agreeing() << " m of walls are in both maps";
+  agreeing.text = text.str();
+  return {through, open, agreeing};
 }
 
 Evidence probabilityEvidence(double probability, const BeliefOptions& options, bool confirmed, bool follows) {

@@ -31,7 +31,7 @@ double probabilityOf(const Findings& findings) {
   }
   const Candidate& best = findings.candidates.front();
   return probabilityOf({findings.search.margin, best.worth, best.space.throughShare(),
-                        std::min(best.space.on_walls, best.space.confirmed)});
+                        best.space.agreeing()});
 }
 
 }  // namespace map_matcher::belief

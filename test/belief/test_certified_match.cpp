@@ -177,14 +177,17 @@ TEST(Certification, AStrangerIsProvenToFitNowhere) {
   const Scene scene(4);
   Scene other(5);
   other.reference = scene.reference;
+  MatchOptions options;
+  options.belief.min_hit_ratio = 0.6;
 
-  const Answer result = other.match();
+  const Answer result = other.match(options);
 
   EXPECT_EQ(result.status, MatchStatus::kBelowAcceptanceRatio) << result.reason;
   EXPECT_TRUE(result.search.certified);
   EXPECT_FALSE(result.search.runner_up);
   EXPECT_EQ(result.search.margin, 0.0);
-  EXPECT_LT(result.search.upper_bound, BeliefOptions{}.min_hit_ratio);
+  EXPECT_LT(result.search.upper_bound, 0.6);
+  EXPECT_FALSE(other.match().matched()) << "nor is it believed at the best of all places";
 }
 
 TEST(Certification, WithoutTimeIsNoMatchAndSaysHowMuchBetterAnotherMayBe) {

@@ -61,6 +61,7 @@ TEST(Judge, RefusesWhatIsNotProvenAndTellsTheGap) {
 
 TEST(Judge, RefusesAMarginThatIsNotProven) {
   search::SearchResult result = convincing();
+  result.ending = search::SearchEnding::kOutOfTime;
   result.margin = 0.02;
 
   EXPECT_EQ(judge({result}, {}).status, MatchStatus::kNotCertified);

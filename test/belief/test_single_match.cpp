@@ -233,7 +233,7 @@ TEST(SingleMatch, SaysNoWhenNothingReachesTheAcceptanceRatio) {
   std::mt19937 random(99);
   const grid::OccupancyGrid stranger = test::randomBuilding(random, 9.0, 8.0, kResolution);
   MatchOptions options;
-  options.search.coarse.acceptance_ratio = 0.95;
+  options.belief.min_hit_ratio = 0.95;
   const test::Matcher matcher(scene.reference, options);
 
   const Answer result = matcher.match(stranger);
@@ -290,12 +290,8 @@ TEST(SingleMatch, SessionsOfOneCellOrOneSpotAreAnswered) {
 TEST(SingleMatch, SessionLargerThanTheReferenceIsAnswered) {
   std::mt19937 random(4);
   const grid::OccupancyGrid large = test::randomBuilding(random, 20.0, 12.0, kResolution);
-  const grid::OccupancyGrid part = test::cutSession(large, {10.0, 6.0}, 7.0, {}, kResolution);
-  MatchOptions options;
-  options.search.coarse.acceptance_ratio = options.belief.min_hit_ratio =
-      0.09;  // of what the session holds, the reference has no more
-  options.belief.min_margin = 0.02;
-  const test::Matcher matcher(part, options);
+  const grid::OccupancyGrid part = test::cutSession(large, {10.0, 6.0}, 11.0, {}, kResolution);
+  const test::Matcher matcher(part);
 
   const Answer result = matcher.match(large);
 

@@ -16,6 +16,8 @@ struct FreeSpace {
   double confirmed = 0.0;     ///< Of the reference map's walls: near walls of the session map [m].
   double seen_through = 0.0;  ///< Of the reference map's walls: in free space of the session map [m].
 
+  /// Length of the walls that are in both maps [m].
+  double agreeing() const { return on_walls < confirmed ? on_walls : confirmed; }
   /// Share of the session's walls that are in the open, 0 where nothing is known.
   double openShare() const { return share(in_the_open, on_walls); }
   /// Share of the reference map's walls that were seen through, 0 where nothing is known.

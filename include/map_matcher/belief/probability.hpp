@@ -11,11 +11,11 @@ struct ProbabilityFeatures {
   double margin = 0.0;        ///< By how much the place is known to be worth more than any other, 0 to kLargestMargin.
   double worth = 0.0;         ///< Of the place.
   double seen_through = 0.0;  ///< FreeSpace::throughShare().
-  double walls = 0.0;         ///< [m] Of both maps' walls that agree, FreeSpace::on_walls and confirmed, the smaller.
+  double walls = 0.0;         ///< FreeSpace::agreeing() [m].
 };
 
 /// Larger margins say no more than this one; no search looks farther.
-constexpr double kLargestMargin = 0.1;
+constexpr double kLargestMargin = 0.2;
 
 /// Probability that a place is right, 0 to 1: a logistic function that scripts/fit_probability fits to simulated and
 /// recorded places, right and wrong ones.
