@@ -19,8 +19,8 @@ bool isSamePose(const grid::Rigid2& a, const grid::Rigid2& b, const Eigen::Vecto
 }
 
 bool isSamePlace(const Findings& findings, const search::SearchOptions& options, const KnownPlace& place) {
-  return findings.map == place.map && isSamePose(wholePose(findings.search), place.T_reference_session,
-                                                 findings.search.session_centre, options);
+  return findings.map == place.map &&
+         isSamePose(wholePose(findings.search), place.T_reference_session, findings.search.session_centre, options);
 }
 
 }  // namespace
@@ -67,8 +67,8 @@ Evidence agreementEvidence(const Findings& findings, const MatchOptions& options
       break;
     case Standing::kContradicts:
       evidence.bearing = options.belief.confirm_relocation ? Bearing::kAgainst : Bearing::kSilent;
-      evidence.text = "an earlier map of the session was matched at another place, " + poseText(alignment->T_reference_session) +
-                      ": the next one has to confirm which it is";
+      evidence.text = "an earlier map of the session was matched at another place, " +
+                      poseText(alignment->T_reference_session) + ": the next one has to confirm which it is";
       break;
   }
   return evidence;

@@ -5,7 +5,8 @@ namespace map_matcher::belief {
 parameters::ParameterList parametersOf(BeliefOptions& options) {
   return {
       {"min_probability", "",
-       "Exact search: smallest probability of being right that makes a place an answer; higher: later, and more surely.",
+       "Exact search: smallest probability of being right that makes a place an answer; higher: later, and more "
+       "surely.",
        &options.min_probability, 0.0, 1.0},
       {"tentative_probability", "",
        "Exact search: a less likely place than min_probability, but not than this, waits for the next map to agree.",
@@ -13,7 +14,8 @@ parameters::ParameterList parametersOf(BeliefOptions& options) {
       {"min_hit_ratio", "", "Exact search: smallest share of session cells near walls that is an answer.",
        &options.min_hit_ratio, 0.0, 1.0},
       {"min_margin", "",
-       "Exact search: by how much the best place has to be worth more than the best place elsewhere; worth is the share "
+       "Exact search: by how much the best place has to be worth more than the best place elsewhere; worth is the "
+       "share "
        "of session cells near walls, less half that of the reference map's walls that were seen through.",
        &options.min_margin, 0.0, 1.0},
       {"maps_per_proof", "",

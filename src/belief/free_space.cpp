@@ -29,7 +29,8 @@ Walls wallsIn(const grid::SeenSpace& map, const grid::SeenSpace& other, const gr
 
 }  // namespace
 
-FreeSpace freeSpace(const grid::SeenSpace& reference, const grid::SeenSpace& session, const grid::Rigid2& T_reference_session) {
+FreeSpace freeSpace(const grid::SeenSpace& reference, const grid::SeenSpace& session,
+                    const grid::Rigid2& T_reference_session) {
   const Walls of_session = wallsIn(session, reference, T_reference_session);
   const Walls of_reference = wallsIn(reference, session, T_reference_session.inverse());
   return {of_session.near, of_session.open, of_reference.near, of_reference.open};

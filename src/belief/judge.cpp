@@ -26,7 +26,8 @@ MatchStatus statusWithoutSearch(search::SearchEnding ending) {
 }
 
 /// What the search says, of a place that was searched with a proof.
-std::vector<Evidence> gatherProven(const Findings& findings, const MatchOptions& options, bool confirmed, bool follows) {
+std::vector<Evidence> gatherProven(const Findings& findings, const MatchOptions& options, bool confirmed,
+                                   bool follows) {
   const search::SearchResult& result = findings.search;
   std::vector<Evidence> evidence{proofEvidence(result, options), hitEvidence(result, options),
                                  marginEvidence(findings, options, follows)};

@@ -9,7 +9,7 @@ namespace map_matcher::belief {
 namespace {
 
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
-constexpr double kFewSeenThrough = 0.1;   // share of the walls of the right place, but for a door
+constexpr double kFewSeenThrough = 0.1;    // share of the walls of the right place, but for a door
 constexpr double kWallsThatSayMuch = 3.0;  // [m]
 
 }  // namespace
@@ -36,8 +36,7 @@ std::vector<Evidence> freeSpaceEvidence(const FreeSpace& space) {
 }
 
 Evidence probabilityEvidence(double probability, const BeliefOptions& options, bool confirmed, bool follows) {
-  Evidence evidence{"probability",   probability, options.min_probability, Bearing::kFor,
-                    MatchStatus::kDoubtful, {}};
+  Evidence evidence{"probability", probability, options.min_probability, Bearing::kFor, MatchStatus::kDoubtful, {}};
   std::ostringstream text;
   text << "the place is right with a probability of " << probability;
   if (follows) {

@@ -30,8 +30,7 @@ class ExactSearch {
       return std::nullopt;
     }
     const search::Place& place = result.places.front();
-    const search::PlaceDifference difference =
-        search::difference(place.searched, *plan.follow, result.session_centre);
+    const search::PlaceDifference difference = search::difference(place.searched, *plan.follow, result.session_centre);
     const FreeSpace space = freeSpace(reference.seen(), seen_, place.T_reference_session);
     const double worth = worthOf(place.hit_ratio, space);
     if (difference.distance > options_.search.distinct_distance || difference.angle > options_.search.distinct_angle ||
@@ -81,8 +80,8 @@ Findings findPlaces(const search::MapMatcher& matcher, const ReferenceMaps& maps
       return *followed;
     }
   }
-  Findings findings = findPlaces(matcher, maps, session, options, constraints,
-                                 work::Deadline(options.search.exact_deadline, stop));
+  Findings findings =
+      findPlaces(matcher, maps, session, options, constraints, work::Deadline(options.search.exact_deadline, stop));
   findings.search.reference_time = reference_time;
   return findings;
 }
@@ -93,8 +92,7 @@ Findings findPlaces(const search::MapMatcher& matcher, const ReferenceMaps& maps
   if (options.search.search != "exact") {
     Findings best;
     for (std::size_t map = 0; map < maps.size(); ++map) {
-      const search::SearchResult result =
-          matcher.match(*maps[map], session, demandOf(options), constraints, deadline);
+      const search::SearchResult result = matcher.match(*maps[map], session, demandOf(options), constraints, deadline);
       if (map == 0 || (result.found && (!best.search.found || result.ratio > best.search.ratio))) {
         best.search = result;
         best.map = map;

@@ -8,7 +8,7 @@
 namespace map_matcher::belief {
 namespace {
 
-constexpr double kDeviations = 11.34;      // squared, that 99 % of poses lie within
+constexpr double kDeviations = 11.34;    // squared, that 99 % of poses lie within
 constexpr double kLeastDeviation = 0.1;  // [m, rad] that a hand on a screen has
 
 }  // namespace
@@ -24,8 +24,7 @@ bool agrees(const Prior& prior, const grid::Rigid2& T_reference_session) {
   const grid::Rigid2& supposed = prior.T_reference_session;
   const Eigen::Vector3d difference(T_reference_session.x - supposed.x, T_reference_session.y - supposed.y,
                                    grid::normalizeAngle(T_reference_session.yaw - supposed.yaw));
-  const Eigen::Matrix3d covariance =
-      prior.covariance + kLeastDeviation * kLeastDeviation * Eigen::Matrix3d::Identity();
+  const Eigen::Matrix3d covariance = prior.covariance + kLeastDeviation * kLeastDeviation * Eigen::Matrix3d::Identity();
   return difference.dot(covariance.ldlt().solve(difference)) <= kDeviations;
 }
 

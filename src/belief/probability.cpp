@@ -30,8 +30,7 @@ double probabilityOf(const Findings& findings) {
     return 0.0;
   }
   const Candidate& best = findings.candidates.front();
-  return probabilityOf({findings.search.margin, best.worth, best.space.throughShare(),
-                        best.space.agreeing()});
+  return probabilityOf({findings.search.margin, best.worth, best.space.throughShare(), best.space.agreeing()});
 }
 
 }  // namespace map_matcher::belief

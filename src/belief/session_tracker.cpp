@@ -84,8 +84,7 @@ Findings SessionTracker::weigh(const Findings& findings) const {
 
 Circumstances SessionTracker::circumstancesOf(const Findings& findings, const ReferenceMaps& maps,
                                               const grid::OccupancyGrid& map,
-                                              const std::optional<Eigen::Vector2d>& robot,
-                                              std::uint64_t digest) const {
+                                              const std::optional<Eigen::Vector2d>& robot, std::uint64_t digest) const {
   const search::SearchResult& result = findings.search;
   Circumstances circumstances;
   circumstances.alignment = alignment_;
@@ -102,9 +101,9 @@ Circumstances SessionTracker::circumstancesOf(const Findings& findings, const Re
   }
   if ((result.exact || findings.followed) && result.found && (robot || robot_was_lost_)) {
     // what is not seen takes nothing back
-    circumstances.nearby =
-        robot ? surroundings(*maps.at(findings.map), map, options_, result.T_reference_session, *robot)
-              : Surroundings{};
+    circumstances.nearby = robot
+                               ? surroundings(*maps.at(findings.map), map, options_, result.T_reference_session, *robot)
+                               : Surroundings{};
   }
   return circumstances;
 }
@@ -115,8 +114,9 @@ Broadcast SessionTracker::remember(const Findings& findings, const Answer& answe
     case MatchStatus::kMatched:
       alignment_ = place;
       robot_was_lost_ = false;
-      worth_ = findings.candidates.empty() ? 0.0 : worthOf(findings.candidates.front().place.hit_ratio,
-                                                           findings.candidates.front().space);
+      worth_ = findings.candidates.empty()
+                   ? 0.0
+                   : worthOf(findings.candidates.front().place.hit_ratio, findings.candidates.front().space);
       probability_ = answer.probability;
       maps_since_proof_ = findings.followed ? maps_since_proof_ + 1 : 0;
       forgetDoubts();

@@ -104,8 +104,7 @@ Surroundings surroundings(const search::Reference& reference, const grid::Occupa
                           const MatchOptions& options, const grid::Rigid2& T_reference_session,
                           const Eigen::Vector2d& robot) {
   const search::Reference::Prepared prepared = reference.at(session.resolution());
-  const Overlay maps{*prepared.map, session,
-                     grid::cornerOf(session.geometry(), options.search.session_map_cell_offset),
+  const Overlay maps{*prepared.map, session, grid::cornerOf(session.geometry(), options.search.session_map_cell_offset),
                      prepared.map->T_reference_grid().inverse() * T_reference_session};
   Surroundings nearby;
   countHits(maps, robot, options, nearby);

@@ -1,11 +1,10 @@
-#include "map_matcher/belief/free_space.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <vector>
 
 #include "map_matcher/belief/findings.hpp"
+#include "map_matcher/belief/free_space.hpp"
 #include "map_matcher/belief/probability.hpp"
 
 namespace map_matcher::belief {
@@ -76,7 +75,8 @@ TEST(Probability, RisesWithWhatSpeaksForAPlaceAndFallsWithWhatSpeaksAgainst) {
   EXPECT_GT(probabilityOf({0.1, 0.8, 0.1, 10.0}), here);
   EXPECT_LT(probabilityOf({0.1, 0.7, 0.2, 10.0}), here);
   EXPECT_GT(probabilityOf({0.1, 0.7, 0.1, 20.0}), here);
-  EXPECT_DOUBLE_EQ(probabilityOf({kLargestMargin + 0.3, 0.7, 0.1, 10.0}), probabilityOf({kLargestMargin, 0.7, 0.1, 10.0}));
+  EXPECT_DOUBLE_EQ(probabilityOf({kLargestMargin + 0.3, 0.7, 0.1, 10.0}),
+                   probabilityOf({kLargestMargin, 0.7, 0.1, 10.0}));
   EXPECT_EQ(probabilityOf(Findings{}), 0.0);
 }
 

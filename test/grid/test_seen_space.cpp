@@ -1,7 +1,6 @@
-#include "map_matcher/grid/seen_space.hpp"
-
 #include <gtest/gtest.h>
 
+#include "map_matcher/grid/seen_space.hpp"
 #include "support/ascii_map.hpp"
 
 namespace map_matcher::grid {

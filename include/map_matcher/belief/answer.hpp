@@ -24,7 +24,7 @@ struct Answer {
   std::size_t map = 0;             ///< The number of the reference map that it is in.
   double probability = 0.0;        ///< That the place is right; of an exact search.
   std::vector<Candidate> candidates;  ///< The places that were found, the one worth most first; of an exact search.
-  Surroundings nearby;             ///< Of the robot; without cells where its place is not known.
+  Surroundings nearby;                ///< Of the robot; without cells where its place is not known.
 
   bool matched() const { return status == MatchStatus::kMatched; }
 

@@ -25,11 +25,11 @@ struct Findings {
   /// and runner_up_proven are about what the candidates are worth instead of their hits. Of a search without proof: as
   /// it was.
   search::SearchResult search;
-  std::size_t map = 0;                ///< The number of that reference map.
-  std::vector<Candidate> candidates{};  ///< Those of an exact search, the one worth most first.
-  double elsewhere_bound = 1.0;       ///< No other place in any of the maps is worth more; proven.
+  std::size_t map = 0;                          ///< The number of that reference map.
+  std::vector<Candidate> candidates{};          ///< Those of an exact search, the one worth most first.
+  double elsewhere_bound = 1.0;                 ///< No other place in any of the maps is worth more; proven.
   std::vector<search::SearchResult> results{};  ///< Of all the reference maps, by their numbers; of an exact search.
-  bool followed = false;              ///< Whether only the place in use was looked at, without a proof.
+  bool followed = false;                        ///< Whether only the place in use was looked at, without a proof.
 };
 
 /// What a place with these hits is worth: its share of hits, less half the share of the reference map's walls that the

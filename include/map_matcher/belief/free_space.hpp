@@ -2,14 +2,14 @@
 /// What two maps of a place say of each other's walls, by the free space that they saw.
 #pragma once
 
-#include "map_matcher/grid/seen_space.hpp"
 #include "map_matcher/grid/rigid2.hpp"
+#include "map_matcher/grid/seen_space.hpp"
 
 namespace map_matcher::belief {
 
 /// How the walls of either map lie in the other one, in metres of wall. What the other map does not know says
-/// nothing. People and furniture that was moved put session walls into the open, at the right place too; but nobody sees
-/// through a wall: where that was done over metres, the place is wrong, or the building has changed.
+/// nothing. People and furniture that was moved put session walls into the open, at the right place too; but nobody
+/// sees through a wall: where that was done over metres, the place is wrong, or the building has changed.
 struct FreeSpace {
   double on_walls = 0.0;      ///< Of the session's walls: near walls of the reference map [m].
   double in_the_open = 0.0;   ///< Of the session's walls: in free space of the reference map [m].
@@ -28,6 +28,7 @@ struct FreeSpace {
 };
 
 /// Lays `session` on `reference` at T_reference_session.
-FreeSpace freeSpace(const grid::SeenSpace& reference, const grid::SeenSpace& session, const grid::Rigid2& T_reference_session);
+FreeSpace freeSpace(const grid::SeenSpace& reference, const grid::SeenSpace& session,
+                    const grid::Rigid2& T_reference_session);
 
 }  // namespace map_matcher::belief

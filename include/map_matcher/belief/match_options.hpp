@@ -15,8 +15,8 @@ struct MatchOptions {
   BeliefOptions belief;
 };
 
-/// What the judge has to know of a search: all that reaches min_hit_ratio, and what comes within min_margin of the best, or
-/// near enough to make it less likely.
+/// What the judge has to know of a search: all that reaches min_hit_ratio, and what comes within min_margin of the
+/// best, or near enough to make it less likely.
 search::Demand demandOf(const MatchOptions& options);
 
 /// The parameters that fill `options`, by the names they have in config/map_matcher.yaml.

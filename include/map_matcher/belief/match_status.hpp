@@ -15,9 +15,9 @@ enum class MatchStatus {
   kStopped,               ///< The search was stopped before there was an answer.
   kNotCertified,          ///< The deadline came before the end of the search, or of its proof.
   kAmbiguous,             ///< A place elsewhere matches nearly as well.
-  kDoubtful,              ///< No place elsewhere matches as well, but the place itself is not likely enough to be right.
-  kUnconfirmed,           ///< The place is good enough, but another than that of an earlier map of the session.
-  kRobotLost,             ///< The map fits, but not where the robot is: the mapper has lost it.
+  kDoubtful,     ///< No place elsewhere matches as well, but the place itself is not likely enough to be right.
+  kUnconfirmed,  ///< The place is good enough, but another than that of an earlier map of the session.
+  kRobotLost,    ///< The map fits, but not where the robot is: the mapper has lost it.
 };
 
 /// The status in snake_case, as JSON output and messages have it ("matched", "below_acceptance_ratio", ...).

@@ -10,10 +10,10 @@
 
 namespace map_matcher::belief {
 
-/// "seen_through", the share of the reference map's walls that lie in free space of the session map: for the place where
-/// they are few, else silent, since an open door is one, too; "probability" weighs it. "in_the_open", the share of the
-/// session's walls that lie in free space of the reference map: never more than told, since people and furniture are.
-/// "agreeing_walls", FreeSpace::agreeing(): how much there is to judge by.
+/// "seen_through", the share of the reference map's walls that lie in free space of the session map: for the place
+/// where they are few, else silent, since an open door is one, too; "probability" weighs it. "in_the_open", the share
+/// of the session's walls that lie in free space of the reference map: never more than told, since people and furniture
+/// are. "agreeing_walls", FreeSpace::agreeing(): how much there is to judge by.
 std::vector<Evidence> freeSpaceEvidence(const FreeSpace& space);
 
 /// "probability" of the place to be right, held against min_probability. Against it (kDoubtful) when it is smaller, but
