@@ -98,8 +98,8 @@ class SessionMapperSession(unittest.TestCase):
         self.assertLess(len(self.map.messages), before + 4)  # map_update_interval is 2 s
 
     def a_scan_with_other_beams_is_drawn(self):
-        time = BEGIN + 17.0
-        self.drive_until_map(time, after=BEGIN + 16.5, pose=(0.5, 0.3, 1.5), beams=181)
+        time = BEGIN + 20.0
+        self.drive_until_map(time, after=BEGIN + 19.5, pose=(0.5, 0.3, 1.5), beams=181)
 
     def a_new_session_begins_when_time_goes_back(self):
         self.log.clear()
