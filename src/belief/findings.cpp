@@ -21,7 +21,30 @@ void take(const search::Place& place, search::SearchResult& result) {
   result.hit_ratio = place.hit_ratio;
 }
 
+/// What the best of the other candidates has.
+struct Rivals {
+  double worth = 0.0;
+  double hit_ratio = 0.0;
+};
+
+Rivals rivalsOf(const Findings& findings) {
+  Rivals rivals;
+  for (std::size_t k = 1; k < findings.candidates.size(); ++k) {
+    rivals.worth = std::max(rivals.worth, findings.candidates[k].worth);
+    rivals.hit_ratio = std::max(rivals.hit_ratio, findings.candidates[k].place.hit_ratio);
+  }
+  return rivals;
+}
+
+double leadOver(const Candidate& best, const Rivals& rivals) {
+  return std::max(best.worth - rivals.worth, best.place.hit_ratio - rivals.hit_ratio);
+}
+
 }  // namespace
+
+double leadOf(const Findings& findings) {
+  return findings.candidates.empty() ? 0.0 : leadOver(findings.candidates.front(), rivalsOf(findings));
+}
 
 double worthOf(double hit_ratio, const FreeSpace& space) {
   return hit_ratio - kSeenThroughWeight * space.throughShare();
@@ -50,17 +73,18 @@ Findings rank(const std::vector<search::SearchResult>& results, std::vector<Cand
     take(best.place, search);
   }
   search.runner_up.reset();
-  double other = 0.0;
-  if (findings.candidates.size() > 1) {
-    const Candidate& second = findings.candidates[1];
-    other = second.worth;
-    if (search.certified && best.worth - other <= margin) {
-      search.runner_up = search::RunnerUp{second.place.T_reference_session, second.place.hit_ratio};
-    }
+  const Rivals rivals = rivalsOf(findings);
+  const double lead = leadOver(best, rivals);
+  if (search.certified && findings.candidates.size() > 1 && lead <= margin) {
+    const search::Place& second = findings.candidates[1].place;
+    search.runner_up = search::RunnerUp{second.T_reference_session, second.hit_ratio};
   }
-  search.margin = search.certified ? std::max(0.0, best.worth - std::max(other, findings.elsewhere_bound)) : 0.0;
-  search.runner_up_proven =
-      search.certified && findings.elsewhere_bound <= std::max(other, best.worth - margin) + kRounding;
+  const double elsewhere = findings.elsewhere_bound;
+  search.margin =
+      search.certified
+          ? std::max(0.0, leadOver(best, {std::max(rivals.worth, elsewhere), std::max(rivals.hit_ratio, elsewhere)}))
+          : 0.0;
+  search.runner_up_proven = search.certified && search.margin >= std::min(lead, margin) - kRounding;
   return findings;
 }
 

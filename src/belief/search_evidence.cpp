@@ -2,7 +2,6 @@
 
 #include <sstream>
 #include <string>
-#include <vector>
 
 #include "pose_text.hpp"
 
@@ -48,9 +47,8 @@ bool isRivalled(const Findings& findings, const BeliefOptions& options) {
   if (!findings.search.runner_up) {
     return false;
   }
-  const std::vector<Candidate>& candidates = findings.candidates;
-  const double lead = candidates.size() > 1 ? candidates[0].worth - candidates[1].worth
-                                            : findings.search.hit_ratio - findings.search.runner_up->ratio;
+  const double lead = findings.candidates.size() > 1 ? leadOf(findings)
+                                                     : findings.search.hit_ratio - findings.search.runner_up->ratio;
   return lead < options.min_margin;
 }
 

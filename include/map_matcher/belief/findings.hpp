@@ -36,6 +36,10 @@ struct Findings {
 /// session saw through. People and moved furniture are no argument against a place: they are the same everywhere.
 double worthOf(double hit_ratio, const FreeSpace& space);
 
+/// By how much the first candidate is ahead of all others: in what it is worth, or in hits if that is more, since walls
+/// that a session sees through everywhere, as in a map that is out of date, tell no place from another.
+double leadOf(const Findings& findings);
+
 /// The findings in one map after the other: `results` and the candidates in them, the one worth most first, and what
 /// follows from that for margin and runner-up. `margin` is search::Demand::margin.
 Findings rank(const std::vector<search::SearchResult>& results, std::vector<Candidate> candidates, double margin);
