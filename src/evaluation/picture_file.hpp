@@ -2,8 +2,11 @@
 /// Pictures as files. Private to the room.
 #pragma once
 
-#include <opencv2/core.hpp>
 #include <string>
+
+namespace cv {
+class Mat;
+}  // namespace cv
 
 namespace map_matcher::evaluation {
 
