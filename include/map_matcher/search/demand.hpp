@@ -13,8 +13,8 @@ struct Demand {
   double min_hit_ratio = 0.6;  ///< Places with a smaller share of hits need not be found, 0 to 1.
   double margin = 0.1;         ///< Nor do places elsewhere whose share is farther below what the best is worth, 0 to 1.
   int most_places = 8;         ///< Nor more places than these; fewer than 1 count as 1, and 1 leaves out the runner-up.
-  /// What a place is worth, at most its hit ratio; empty: its hit ratio. Called from the thread that searches, once for
-  /// each place, one call at a time.
+  /// What a place is worth, at most its hit ratio; empty: its hit ratio. Called from the thread that searches, one call
+  /// at a time: once for each place, and once for the place that an exact search begins with.
   std::function<double(const Place&)> worth{};
 };
 

@@ -74,6 +74,32 @@ MAP_MATCHER_INLINE void addTiles(const Chunk& chunk, TileCounts& counts) {
   }
 }
 
+/// Adds counts, `times` over.
+template <int kVectorBytes>
+MAP_MATCHER_INLINE void addTimes(const TileCounts& part_counts, std::uint32_t times, TileCounts& counts) {
+  using Vector = typename BitVector<kVectorBytes>::type;
+  for (std::size_t part = 0; part < kTileBytes; part += kVectorBytes) {
+    for (int shift = 0; (times >> shift) != 0; ++shift) {
+      if ((times >> shift & 1U) == 0) {
+        continue;
+      }
+      Vector carry = {};
+      for (int digit = shift; digit < counts.size; ++digit) {
+        Vector sum;
+        load(counts.digits[static_cast<std::size_t>(digit)].data(), part, sum);
+        Vector more = {};
+        if (digit - shift < part_counts.size) {
+          load(part_counts.digits[static_cast<std::size_t>(digit - shift)].data(), part, more);
+        }
+        Vector next;
+        addDigits(sum, next, more, carry);
+        carry = next;
+        store(sum, part, counts.digits[static_cast<std::size_t>(digit)].data());
+      }
+    }
+  }
+}
+
 /// Which translations reach a number: from the highest digit on, a count is larger at its first digit that is.
 template <int kVectorBytes>
 MAP_MATCHER_INLINE void findReaching(const TileCounts& counts, std::uint32_t number, TileBits& reaching) {
@@ -112,6 +138,9 @@ MAP_MATCHER_INLINE void readColumn(const TileCounts& counts, int column, ColumnC
 // NOLINTBEGIN(bugprone-macro-parentheses): an attribute cannot stand in parentheses.
 #define MAP_MATCHER_KERNEL(SUFFIX, TARGET, BYTES)                                                          \
   TARGET void addTiles##SUFFIX(const Chunk& chunk, TileCounts& counts) { addTiles<BYTES>(chunk, counts); } \
+  TARGET void addTimes##SUFFIX(const TileCounts& part, std::uint32_t times, TileCounts& counts) {          \
+    addTimes<BYTES>(part, times, counts);                                                                  \
+  }                                                                                                        \
   TARGET void findReaching##SUFFIX(const TileCounts& counts, std::uint32_t number, TileBits& reaching) {   \
     findReaching<BYTES>(counts, number, reaching);                                                         \
   }                                                                                                        \
@@ -131,16 +160,18 @@ MAP_MATCHER_KERNEL(Avx512, __attribute__((target("avx512bw"))), 64)
 /// The kernel's functions for one instruction set.
 struct ScoreKernel::Functions {
   void (*add_tiles)(const Chunk&, TileCounts&);
+  void (*add_times)(const TileCounts&, std::uint32_t, TileCounts&);
   void (*find_reaching)(const TileCounts&, std::uint32_t, TileBits&);
   void (*read_column)(const TileCounts&, int, ColumnCounts&);
 };
 
 namespace {
 
-constexpr ScoreKernel::Functions kBaselineFunctions{addTilesBaseline, findReachingBaseline, readColumnBaseline};
+constexpr ScoreKernel::Functions kBaselineFunctions{addTilesBaseline, addTimesBaseline, findReachingBaseline,
+                                                    readColumnBaseline};
 #if MAP_MATCHER_X86
-constexpr ScoreKernel::Functions kAvx2Functions{addTilesAvx2, findReachingAvx2, readColumnAvx2};
-constexpr ScoreKernel::Functions kAvx512Functions{addTilesAvx512, findReachingAvx512, readColumnAvx512};
+constexpr ScoreKernel::Functions kAvx2Functions{addTilesAvx2, addTimesAvx2, findReachingAvx2, readColumnAvx2};
+constexpr ScoreKernel::Functions kAvx512Functions{addTilesAvx512, addTimesAvx512, findReachingAvx512, readColumnAvx512};
 #endif
 
 const ScoreKernel::Functions* functionsOf(KernelVariant variant) {
@@ -189,12 +220,16 @@ class TileCounting {
     std::fill_n(counts_.digits.begin(), std::min(kMaxDigits, counts_.size + kLargeTree), TileBits{});
   }
 
-  /// Counts cells that count `weight` times each, a power of two, until min_count is out of reach.
+  /// Counts cells that count `weight` times each, until min_count is out of reach.
   bool add(const std::int16_t* x, const std::int16_t* y, std::size_t size, std::int32_t weight) {
     const int digit = numDigits(static_cast<std::uint32_t>(weight)) - 1;
     for (std::size_t begin = 0; begin < size; begin += kChunk) {
       const std::size_t chunk_size = std::min(kChunk, size - begin);
-      functions_.add_tiles({&level_, x + begin, y + begin, chunk_size, first_, digit}, counts_);
+      if (weight == 1 << digit) {
+        functions_.add_tiles({&level_, x + begin, y + begin, chunk_size, first_, digit}, counts_);
+      } else {
+        addTimes({&level_, x + begin, y + begin, chunk_size, first_, 0}, weight);
+      }
       rest_ -= static_cast<std::int32_t>(chunk_size) * weight;
       if (rest_ < min_count_ && !anyReaches(min_count_ - rest_)) {
         return false;
@@ -238,6 +273,15 @@ class TileCounting {
   }
 
  private:
+  /// Counts a chunk once and adds it so many times.
+  void addTimes(const Chunk& chunk, std::int32_t weight) {
+    TileCounts once;
+    once.size = numDigits(static_cast<std::uint32_t>(chunk.size));
+    std::fill_n(once.digits.begin(), once.size + kLargeTree, TileBits{});
+    functions_.add_tiles(chunk, once);
+    functions_.add_times(once, static_cast<std::uint32_t>(weight), counts_);
+  }
+
   /// Whether any wanted translation has that many already.
   bool anyReaches(std::int32_t number) {
     if (number > total_) {

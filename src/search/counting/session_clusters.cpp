@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
+#include <map>
 
 #include "shuffling.hpp"
 
@@ -12,6 +14,9 @@ namespace {
 /// Half of what is left free of a window for the rounding of single precision, which is below 0.01 cells for
 /// kMaxSessionDiagonal [cells].
 constexpr double kRounding = 0.02;
+
+/// Clusters of a size from which on they are counted once, and their number multiplied, rather than digit by digit.
+constexpr std::size_t kManyAlike = 24;
 
 /// Sets of more points are divided with a look at the deadline.
 constexpr std::ptrdiff_t kLookedAfter = 256;
@@ -87,26 +92,27 @@ SessionClusters clustersOf(const SessionCells& session, const BlockShape& shape,
     return result;
   }
   const std::vector<Cluster> clusters = inShuffledNeighbourhoods(Clustering(session, shape, deadline).run());
-  std::int32_t largest = 0;
+  std::map<std::int32_t, std::vector<const Cluster*>, std::greater<>> of_size;
   for (const Cluster& cluster : clusters) {
-    largest = std::max(largest, cluster.size);
+    of_size[cluster.size].push_back(&cluster);
     result.total += cluster.size;
   }
-  std::int32_t weight = 1;
-  while (weight <= largest / 2) {
-    weight *= 2;
-  }
-  for (; weight > 0; weight /= 2) {
-    const std::size_t begin = result.x.size();
-    for (const Cluster& cluster : clusters) {
-      if ((cluster.size & weight) != 0) {
-        result.x.push_back(static_cast<float>(cluster.middle.x()));
-        result.y.push_back(static_cast<float>(cluster.middle.y()));
+  std::map<std::int32_t, std::vector<const Cluster*>, std::greater<>> runs;
+  for (const auto& [size, alike] : of_size) {
+    const bool many = alike.size() >= kManyAlike;
+    for (std::int32_t weight = many ? size : 1; weight <= size; weight *= 2) {
+      if (many || (size & weight) != 0) {
+        std::vector<const Cluster*>& run = runs[weight];
+        run.insert(run.end(), alike.begin(), alike.end());
       }
     }
-    if (result.x.size() > begin) {
-      result.runs.push_back({result.x.size() - begin, weight});
+  }
+  for (const auto& [weight, members] : runs) {
+    for (const Cluster* cluster : members) {
+      result.x.push_back(static_cast<float>(cluster->middle.x()));
+      result.y.push_back(static_cast<float>(cluster->middle.y()));
     }
+    result.runs.push_back({members.size(), weight});
   }
   return result;
 }

@@ -59,44 +59,80 @@ bool BlockSearch::scoreWindow(int rotation, const SearchWindow& window, std::int
       if (!scoreTile(shape, rotation, {x, y}, tileWithin(window.last, {x, y}, stride), min_count)) {
         return false;
       }
-      for (const TileScore& score : scores_) {
-        roots.push_back({score.count, rotation, {x + score.column * stride, y + score.row * stride}});
-      }
+      addRoots(rotation, {x, y}, roots);
     }
   }
   return true;
 }
 
-/// The same for both halves of a block, but looks only at tiles that hold a node of the sieve's level which reaches
+/// The same for both halves of a block, but looks only at nodes below those of the sieve's level that reach
 /// `min_count`.
 bool BlockSearch::scoreWhereAnythingIs(int first_rotation, const SearchWindow& window, std::int32_t min_count,
                                        std::vector<RootNode>& roots) {
   const BlockShape shape{levels_.sieve};
   const BlockShape half{levels_.nodes};
   const int stride = shape.stride();
-  const grid::Cell tile{kTileColumns * half.stride(), kTileRows * half.stride()};  // of initial nodes [cells]
   for (int y = window.first.y; y <= window.last.y; y += stride * kTileRows) {
     for (int x = window.first.x; x <= window.last.x; x += stride * kTileColumns) {
       if (!scoreTile(shape, first_rotation, {x, y}, tileWithin(window.last, {x, y}, stride), min_count)) {
         return false;
       }
-      std::array<bool, 4> anything{};
-      for (const TileScore& score : scores_) {
-        anything[static_cast<std::size_t>(score.row * 2 / kTileRows * 2 + score.column * 2 / kTileColumns)] = true;
-      }
-      for (int k = 0; k < 8; ++k) {
-        const grid::Cell part{x + k % 2 * tile.x, y + k / 2 % 2 * tile.y};
-        const int rotation = first_rotation + k / 4 * half.stride();
-        const SearchWindow here = intersection(intersection({part, {part.x + tile.x - 1, part.y + tile.y - 1}}, window),
-                                               windowOf(rotation, half));
-        if (anything[static_cast<std::size_t>(k % 4)] && rotation < problem_.rotations.count() &&
-            !scoreWindow(rotation, onStride(here, half), min_count, roots)) {
+      const std::vector<TileScore> promising = scores_;
+      for (int k = 0; k < 2; ++k) {
+        const int rotation = first_rotation + k * half.stride();
+        if (rotation < problem_.rotations.count() && !promising.empty() &&
+            !scoreBelow(promising, {x, y}, rotation, intersection(window, windowOf(rotation, half)), min_count,
+                        roots)) {
           return false;
         }
       }
     }
   }
   return true;
+}
+
+/// Adds the initial nodes in a window below nodes of a tile of the sieve's level that begins at `first`.
+bool BlockSearch::scoreBelow(const std::vector<TileScore>& promising, const grid::Cell& first, int rotation,
+                             const SearchWindow& window, std::int32_t min_count, std::vector<RootNode>& roots) {
+  const BlockShape half{levels_.nodes};
+  const int stride = half.stride();
+  std::array<TileMask, 4> wanted{};  // of the tiles in the quarters of that of the sieve
+  for (const TileScore& node : promising) {
+    for (int k = 0; k < 4; ++k) {
+      const int column = 2 * node.column + k % 2;
+      const int row = 2 * node.row + k / 2;
+      const grid::Cell child{first.x + column * stride, first.y + row * stride};
+      if (child.x <= window.last.x && child.y <= window.last.y && child.x + stride > window.first.x &&
+          child.y + stride > window.first.y) {
+        TileWord& word = wanted[static_cast<std::size_t>(row / kTileRows * 2 + column / kTileColumns)]
+                               [static_cast<std::size_t>(column % kTileColumns)];
+        word = static_cast<TileWord>(word | 1 << row % kTileRows);
+        ++nodes_scored_;
+      }
+    }
+  }
+  for (int k = 0; k < 4; ++k) {
+    const TileMask& mask = wanted[static_cast<std::size_t>(k)];
+    if (std::all_of(mask.begin(), mask.end(), [](TileWord word) { return word == 0; })) {
+      continue;
+    }
+    if (settings_.deadline.passed()) {
+      return false;
+    }
+    const grid::Cell tile{first.x + k % 2 * kTileColumns * stride, first.y + k / 2 * kTileRows * stride};
+    settings_.kernel.scorePart(problem_.reference.level(half.level), cellsOf(half, rotation),
+                               problem_.reference.position(half.level, tile), mask, min_count, scores_);
+    addRoots(rotation, tile, roots);
+  }
+  return true;
+}
+
+/// Adds what reached the count in a tile of initial nodes.
+void BlockSearch::addRoots(int rotation, const grid::Cell& tile, std::vector<RootNode>& roots) const {
+  const int stride = BlockShape{levels_.nodes}.stride();
+  for (const TileScore& score : scores_) {
+    roots.push_back({score.count, rotation, {tile.x + score.column * stride, tile.y + score.row * stride}});
+  }
 }
 
 /// Scores a tile of nodes. False when the deadline passed before that.

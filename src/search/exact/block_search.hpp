@@ -66,6 +66,9 @@ class BlockSearch {
   bool scoreWindow(int rotation, const SearchWindow& window, std::int32_t min_count, std::vector<RootNode>& roots);
   bool scoreWhereAnythingIs(int first_rotation, const SearchWindow& window, std::int32_t min_count,
                             std::vector<RootNode>& roots);
+  bool scoreBelow(const std::vector<TileScore>& promising, const grid::Cell& first, int rotation,
+                  const SearchWindow& window, std::int32_t min_count, std::vector<RootNode>& roots);
+  void addRoots(int rotation, const grid::Cell& tile, std::vector<RootNode>& roots) const;
   bool scoreTile(const BlockShape& shape, int rotation, const grid::Cell& first, const TileSize& size,
                  std::int32_t min_count);
   SearchNode nodeOf(const RootNode& root) const { return {root.bound, root.rotation, root.first, levels_.nodes}; }

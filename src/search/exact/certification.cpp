@@ -63,7 +63,14 @@ class Certification {
       const CentrePose pose = frames_.centrePose(answer.T_reference_session, cells_.centre);
       start = climbFrom(pose, cells_.resolution, problem_, deadline_);
     }
-    problem_.known_count = start ? start->count : 0;
+    if (start) {
+      problem_.known_count = start->count;
+    }
+    if (start && start->count >= problem_.min_count) {
+      start_ = *start;
+      start_place_ = judged(*start);
+      problem_.known_worth = start_place_->worth * rotations_.numCells();
+    }
     const double preparation_time = watch_.lap();
     const ExactOutcome outcome = exactSearch(problem_, settings());
     report(outcome, preparation_time);
@@ -123,12 +130,17 @@ class Certification {
 
   /// Adds a place that was found to the result; what it is worth.
   double addPlace(const SearchPose& pose) {
+    const bool is_start = start_place_ && pose.rotation == start_.rotation && pose.translation == start_.translation;
+    result_.places.push_back(is_start ? *start_place_ : judged(pose));
+    return result_.places.back().worth;
+  }
+
+  Place judged(const SearchPose& pose) const {
     Place place = placing_.placeOf(pose);
     if (worth_) {
       place.worth = worth_(place);
     }
-    result_.places.push_back(place);
-    return place.worth;
+    return place;
   }
 
   void conclude(const ExactOutcome& outcome, const std::optional<SearchPose>& start) {
@@ -193,6 +205,8 @@ class Certification {
   Placing placing_;
   const std::function<double(const Place&)>& worth_;
   ExactProblem problem_;
+  SearchPose start_;  // that the two stages' answer led to
+  std::optional<Place> start_place_;
   SearchResult result_;
 };
 

@@ -140,10 +140,14 @@ class ExactSearch {
 
   std::int32_t bestThreshold() const { return std::max({1, problem_.min_count, problem_.known_count}); }
 
-  /// What the first initial nodes reach. Where a pose is known, they serve the search for the runner-up as well.
+  /// What the first initial nodes reach. Where a pose is known, they serve the searches for other places as well.
   std::int32_t firstThreshold() const {
-    const bool known = problem_.known_count >= problem_.min_count;
-    return known ? std::min(bestThreshold(), runnerUpThreshold(bestThreshold())) : bestThreshold();
+    const std::int32_t best = bestThreshold();
+    if (problem_.known_count < problem_.min_count || problem_.most_places < 2) {
+      return best;
+    }
+    const double worth = problem_.known_worth.value_or(best);
+    return std::min({best, runnerUpThreshold(best), problem_.most_places > 2 ? thresholdFor(worth) : best});
   }
 
   void findBest() {
@@ -184,9 +188,12 @@ class ExactSearch {
 
   /// Matched cells without which no further place is worth as much as the best so far, less the gap: it is worth its
   /// matched cells at most.
-  std::int32_t furtherThreshold() const {
+  std::int32_t furtherThreshold() const { return thresholdFor(largest_worth_); }
+
+  std::int32_t thresholdFor(double worth) const {
     constexpr double kRounding = 1e-6;  // of a worth that is a share of all cells
-    const double least = std::floor(largest_worth_ + kRounding) - problem_.runner_up_gap;
+    const double least =
+        std::floor(std::min<double>(worth, problem_.rotations.numCells()) + kRounding) - problem_.runner_up_gap;
     return std::max({1, problem_.min_count, static_cast<std::int32_t>(std::max(0.0, least))});
   }
 

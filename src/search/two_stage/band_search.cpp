@@ -49,6 +49,13 @@ bool BandSearch::stopped() {
   return stopped_;
 }
 
+/// Whether a node may be expanded; one that may not is left out.
+bool BandSearch::mayExpand() {
+  const bool enough = problem_.most_expansions && nodes_expanded_ >= *problem_.most_expansions / problem_.threads;
+  gave_up_ = gave_up_ || enough;
+  return !enough;
+}
+
 const RotatedCells& BandSearch::cellsOf(int rotation) {
   RotatedCells& cells = rotated_[static_cast<std::size_t>(rotation)];
   if (cells.x.empty()) {
@@ -186,7 +193,7 @@ bool BandSearch::searchBelow(const SearchNode& root) {
     }
     if (node.level == 0) {  // lines 17 to 19
       incumbent_.offer({node.rotation, node.first, node.bound});
-    } else {
+    } else if (mayExpand()) {
       expand(node);
     }
   }

@@ -29,6 +29,9 @@ class BandSearch {
   /// Lines 12 to 27 of algorithm 1 for one initial node. False when the deadline passed before the end.
   bool searchBelow(const SearchNode& root);
 
+  /// Whether this thread has done its share of SearchProblem::most_expansions and left nodes out since.
+  bool gaveUp() const { return gave_up_; }
+
   /// Those that reached the threshold and were not searched yet.
   const std::vector<SearchNode>& initialNodes() const { return initial_nodes_; }
 
@@ -37,6 +40,7 @@ class BandSearch {
 
  private:
   bool stopped();
+  bool mayExpand();
   const RotatedCells& cellsOf(int rotation);
   const SearchWindow& windowOf(int rotation) const { return problem_.windows[static_cast<std::size_t>(rotation)]; }
   SearchWindow reachable(const SearchWindow& window, const RotatedCells& cells, int reach) const;
@@ -62,6 +66,7 @@ class BandSearch {
   std::vector<TileScore> scores_;  // of the last tile
   std::int32_t best_initial_bound_ = 0;
   bool stopped_ = false;
+  bool gave_up_ = false;
   std::int64_t nodes_scored_ = 0;
   std::int64_t nodes_expanded_ = 0;
 };

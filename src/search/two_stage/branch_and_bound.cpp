@@ -40,6 +40,7 @@ class DepthFirstSearch {
     for (const BandSearch& search : searches_) {
       outcome.nodes_scored += search.nodesScored();
       outcome.nodes_expanded += search.nodesExpanded();
+      outcome.gave_up = outcome.gave_up || search.gaveUp();
     }
     return outcome;
   }

@@ -68,13 +68,15 @@ CentrePose poseOf(const Stage& stage) {
 class TwoStageSearch {
  public:
   TwoStageSearch(const SearchReference& reference, const SearchSession& session, const SearchOptions& options,
-                 const Constraints& constraints, const work::Deadline& deadline)
+                 const Constraints& constraints, const work::Deadline& deadline,
+                 std::optional<std::int64_t> most_expansions)
       : reference_(reference),
         session_(session),
         frames_(reference.T_reference_grid(), session.T_session_grid),
         options_(options),
         constraints_(constraints),
-        deadline_(deadline) {}
+        deadline_(deadline),
+        most_expansions_(most_expansions) {}
 
   SearchResult run() {
     if (const std::optional<SearchResult> unusable = checkInput(reference_, session_, options_)) {
@@ -109,6 +111,7 @@ class TwoStageSearch {
     stage.problem.min_count = minCount(options_.coarse.acceptance_ratio, static_cast<int>(stage.session.points.size()));
     stage.problem.root_level = std::min(SearchReference::kCoarseRootLevel, downsamplingSteps(stage.session));
     stage.problem.threads = searchThreads(options_);
+    stage.problem.most_expansions = most_expansions_;
     applyHeadingPrior(stage);
     for (const double angle : stage.angles) {
       stage.problem.windows.push_back(
@@ -208,8 +211,9 @@ class TwoStageSearch {
       return;
     }
     std::ostringstream reason;
-    reason << "no pose puts " << options_.coarse.acceptance_ratio << " of the " << coarse.report.total_cells
-           << " session cells of " << coarse.report.resolution << " m on walls of the reference map";
+    reason << (coarse.outcome.gave_up ? "no pose was found soon that puts " : "no pose puts ")
+           << options_.coarse.acceptance_ratio << " of the " << coarse.report.total_cells << " session cells of "
+           << coarse.report.resolution << " m on walls of the reference map";
     end(SearchEnding::kSearched, reason.str());
   }
 
@@ -245,6 +249,7 @@ class TwoStageSearch {
   const SearchOptions& options_;
   const Constraints& constraints_;
   const work::Deadline& deadline_;
+  std::optional<std::int64_t> most_expansions_;  // of the coarse stage
   SearchResult result_;
 };
 
@@ -257,8 +262,8 @@ FineWindow fineWindow(double cells_per_coarse_cell, double coarse_rotation_downs
 
 SearchResult twoStageSearch(const SearchReference& reference, const SearchSession& session,
                             const SearchOptions& options, const Constraints& constraints,
-                            const work::Deadline& deadline) {
-  return TwoStageSearch(reference, session, options, constraints, deadline).run();
+                            const work::Deadline& deadline, std::optional<std::int64_t> most_expansions) {
+  return TwoStageSearch(reference, session, options, constraints, deadline, most_expansions).run();
 }
 
 }  // namespace map_matcher::search

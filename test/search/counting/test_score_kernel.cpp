@@ -85,8 +85,8 @@ TEST(ScoreKernel, CountsWeightedCellsAsOftenAsTheyWeighInEveryVariant) {
       const PooledLevel& level = problem.grids[0].level(static_cast<int>(seed % 4));
       WeightedCells weighted;
       RotatedCells repeated;  // each as often as it weighs
-      for (std::int32_t weight = 1024; weight > 0; weight /= 2) {
-        const int size = test::randomInt(problem.random, 0, 300 / weight);
+      for (const std::int32_t weight : {1024, 100, 47, 16, 13, 7, 5, 3, 2, 1}) {
+        const int size = test::randomInt(problem.random, 0, 900 / weight);
         const RotatedCells cells = test::randomRotatedCells(problem.random, 150, size);
         for (int k = 0; k < size; ++k) {
           weighted.cells.x.push_back(cells.x[static_cast<std::size_t>(k)]);
@@ -105,6 +105,39 @@ TEST(ScoreKernel, CountsWeightedCellsAsOftenAsTheyWeighInEveryVariant) {
         const grid::Cell translation{problem.first.x + score.column * level.stride(),
                                      problem.first.y + score.row * level.stride()};
         ASSERT_EQ(score.count, test::countMatches(level, repeated, translation));
+      }
+    }
+  }
+}
+
+TEST(ScoreKernel, LooksAtThePartOfATileThatIsWantedAndNoOther) {
+  const ScoreKernel kernel;
+  for (std::uint32_t seed = 0; seed < 40; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Problem problem(seed);
+    const PooledLevel& level = problem.grids[0].level(1);
+    const auto total = static_cast<std::int32_t>(problem.cells.x.size());
+    const WeightedCells cells{problem.cells, {{problem.cells.x.size(), 1}}, total};
+    TileMask wanted{};
+    for (TileWord& word : wanted) {
+      word = static_cast<TileWord>(problem.random() & problem.random());
+    }
+    std::vector<TileScore> all;
+    kernel.scoreTile(level, problem.cells, problem.first, {}, 0, all);
+    for (const std::int32_t min_count : {0, total / 4}) {
+      std::vector<TileScore> expected;
+      std::copy_if(all.begin(), all.end(), std::back_inserter(expected), [&](const TileScore& score) {
+        return score.count >= min_count && (wanted[static_cast<std::size_t>(score.column)] >> score.row & 1) != 0;
+      });
+      std::vector<TileScore> scores;
+
+      kernel.scorePart(level, cells, problem.first, wanted, min_count, scores);
+
+      ASSERT_EQ(scores.size(), expected.size()) << "min_count " << min_count;
+      for (std::size_t k = 0; k < scores.size(); ++k) {
+        EXPECT_EQ(scores[k].column, expected[k].column);
+        EXPECT_EQ(scores[k].row, expected[k].row);
+        EXPECT_EQ(scores[k].count, expected[k].count);
       }
     }
   }

@@ -14,8 +14,8 @@ namespace map_matcher::search {
 
 /// Clusters of session cells, one point for all cells of each. They are made once for all rotations.
 struct SessionClusters {
-  std::vector<float> x;  ///< Middle, from the session's centre [cells]; once for each binary digit of its number of
-                         ///< cells, the highest digits first.
+  std::vector<float> x;  ///< Middle, from the session's centre [cells], the largest first; where few have as many
+                         ///< cells, once for each binary digit of their number.
   std::vector<float> y;  ///< The same.
   std::vector<WeightedCells::Run> runs;  ///< Of all points, in their order.
   std::int32_t total = 0;                ///< Session cells.

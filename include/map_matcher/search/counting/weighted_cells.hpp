@@ -10,13 +10,13 @@
 
 namespace map_matcher::search {
 
-/// Cells with a power of two as weight. One that counts another number of times stands in the list for each binary
-/// digit of it.
+/// Cells that count several times, in runs of the same weight. One whose weight few others have may stand in the list
+/// for each binary digit of it.
 struct WeightedCells {
   /// Neighbours in the list of cells that have the same weight.
   struct Run {
     std::size_t size = 0;     ///< [cells]
-    std::int32_t weight = 1;  ///< How often each of them counts: a power of two.
+    std::int32_t weight = 1;  ///< How often each of them counts, at least once.
   };
 
   RotatedCells cells;      ///< The heaviest first.

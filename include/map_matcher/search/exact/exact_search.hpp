@@ -29,6 +29,7 @@ struct ExactProblem {
   std::vector<SearchWindow> windows{};  ///< Translations under each rotation; empty: all.
   std::int32_t min_count = 1;           ///< Fewest matched cells that are an answer.
   std::int32_t known_count = 0;         ///< Matched cells of a pose that is known to be among those searched: a start.
+  std::optional<double> known_worth{};  ///< What that pose is worth, if the caller knows; it saves work, nothing else.
   Distinction distinction{};
   std::int32_t runner_up_gap = 1 << 30;  ///< By how many cells a runner-up may at most be below the best pose, and a
                                          ///< further place below what the one worth most is worth.

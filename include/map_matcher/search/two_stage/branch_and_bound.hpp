@@ -29,7 +29,10 @@ struct SearchProblem {
   /// are given up. Empty: rotations are scored one by one.
   std::vector<RotationBand> bands{};
   std::function<RotatedCells(double)> turned{};  ///< The session cells turned by an angle [rad]; called for bands.
-  int threads = 1;                               ///< At least 1. The answer is the same with any number.
+  int threads = 1;  ///< At least 1. The answer is the same with any number, unless the search gives up.
+  /// Nodes that are expanded at most before the search gives up with the best pose so far; nothing: no limit. For an
+  /// answer that need not be the best one.
+  std::optional<std::int64_t> most_expansions{};
 };
 
 /// A pose of the search.
@@ -43,6 +46,7 @@ struct SearchPose {
 struct SearchOutcome {
   std::optional<SearchPose> best;  ///< Nothing when no pose reaches min_count.
   bool stopped = false;            ///< Whether the deadline passed before the end; `best` is then the best so far.
+  bool gave_up = false;            ///< Whether most_expansions were done before the end; so it is then.
   std::int64_t nodes_scored = 0;
   std::int64_t nodes_expanded = 0;
   double rotation_expansion_time = 0.0;  ///< Lines 4 to 10: scoring the initial node list [s].

@@ -2,6 +2,9 @@
 /// The report's two-stage search (sections 3.1 and 3.2).
 #pragma once
 
+#include <cstdint>
+#include <optional>
+
 #include "map_matcher/search/constraints.hpp"
 #include "map_matcher/search/search_options.hpp"
 #include "map_matcher/search/search_reference.hpp"
@@ -26,9 +29,11 @@ struct FineWindow {
 FineWindow fineWindow(double cells_per_coarse_cell, double coarse_rotation_downsampling, double coarse_rotation_step);
 
 /// Coarse stage over all rotations and all translations, then fine stage around its answer. Fills everything of the
-/// result but the times of the whole match and what the exact search adds. Returns within 50 ms of a stop.
+/// result but the times of the whole match and what the exact search adds. Returns within 50 ms of a stop. Where the
+/// answer is only a start for the exact search, the coarse stage may give up after `most_expansions` nodes: those of
+/// the right place come among the first.
 SearchResult twoStageSearch(const SearchReference& reference, const SearchSession& session,
                             const SearchOptions& options, const Constraints& constraints,
-                            const work::Deadline& deadline);
+                            const work::Deadline& deadline, std::optional<std::int64_t> most_expansions = std::nullopt);
 
 }  // namespace map_matcher::search
