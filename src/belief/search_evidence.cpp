@@ -47,8 +47,8 @@ bool isRivalled(const Findings& findings, const BeliefOptions& options) {
   if (!findings.search.runner_up) {
     return false;
   }
-  const double lead = findings.candidates.size() > 1 ? leadOf(findings)
-                                                     : findings.search.hit_ratio - findings.search.runner_up->ratio;
+  const double lead =
+      findings.candidates.size() > 1 ? leadOf(findings) : findings.search.hit_ratio - findings.search.runner_up->ratio;
   return lead < options.min_margin;
 }
 

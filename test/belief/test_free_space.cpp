@@ -68,15 +68,12 @@ TEST(Worth, NeverExceedsTheHits) {
 }
 
 TEST(Probability, RisesWithWhatSpeaksForAPlaceAndFallsWithWhatSpeaksAgainst) {
-  const ProbabilityFeatures place{0.1, 0.7, 0.1, 10.0};
-  const double here = probabilityOf(place);
+  const double here = probabilityOf({0.1, 0.1, 10.0});
 
-  EXPECT_GT(probabilityOf({0.15, 0.7, 0.1, 10.0}), here);
-  EXPECT_GT(probabilityOf({0.1, 0.8, 0.1, 10.0}), here);
-  EXPECT_LT(probabilityOf({0.1, 0.7, 0.2, 10.0}), here);
-  EXPECT_GT(probabilityOf({0.1, 0.7, 0.1, 20.0}), here);
-  EXPECT_DOUBLE_EQ(probabilityOf({kLargestMargin + 0.3, 0.7, 0.1, 10.0}),
-                   probabilityOf({kLargestMargin, 0.7, 0.1, 10.0}));
+  EXPECT_GT(probabilityOf({0.15, 0.1, 10.0}), here);
+  EXPECT_LT(probabilityOf({0.1, 0.2, 10.0}), here);
+  EXPECT_GT(probabilityOf({0.1, 0.1, 20.0}), here);
+  EXPECT_DOUBLE_EQ(probabilityOf({kLargestMargin + 0.3, 0.1, 10.0}), probabilityOf({kLargestMargin, 0.1, 10.0}));
   EXPECT_EQ(probabilityOf(Findings{}), 0.0);
 }
 

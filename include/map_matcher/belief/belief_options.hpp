@@ -9,8 +9,8 @@ namespace map_matcher::belief {
 /// What a place has to show before it is relied on. Ranges stand in parametersOf(). All of it is about exact searches:
 /// the two stages alone prove nothing, and what they find is taken as it is.
 struct BeliefOptions {
-  double min_probability = 0.95;       ///< Smallest probability of being right that makes a place an answer.
-  double tentative_probability = 0.9;  ///< From this one on, a later map of the session that agrees makes up for it.
+  double min_probability = 0.9;        ///< Smallest probability of being right that makes a place an answer.
+  double tentative_probability = 0.8;  ///< From this one on, a later map of the session that agrees makes up for it.
   double min_hit_ratio = 0.3;          ///< Smallest share of hits that is an answer; in a crowd, most cells are people.
   double min_margin = 0.1;             ///< By how much the place has to be worth more than the best place elsewhere.
   int maps_per_proof = 5;          ///< Of so many maps of a session, one is searched as a whole, once it is localized.

@@ -8,8 +8,7 @@ namespace map_matcher::belief {
 
 /// What the probability is a function of.
 struct ProbabilityFeatures {
-  double margin = 0.0;        ///< By how much the place is known to be worth more than any other, 0 to kLargestMargin.
-  double worth = 0.0;         ///< Of the place.
+  double margin = 0.0;        ///< By how much the place is known to be ahead of any other, 0 to kLargestMargin.
   double seen_through = 0.0;  ///< FreeSpace::throughShare().
   double walls = 0.0;         ///< FreeSpace::agreeing() [m].
 };
