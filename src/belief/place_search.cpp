@@ -20,8 +20,20 @@ class ExactSearch {
     const std::size_t map = results_.size();
     search::Demand demand = demandOf(options_);
     demand.min_hit_ratio = std::max(demand.min_hit_ratio, best_worth_ - demand.margin);
-    demand.worth = [&](const search::Place& place) { return add(reference, map, place); };
+    std::vector<Candidate> judged;  // more than there are places: where the search begins is judged as well
+    demand.worth = [&](const search::Place& place) {
+      judged.push_back(candidateOf(reference, map, place));
+      return judged.back().worth;
+    };
     results_.push_back(matcher_.match(reference, session_, demand, constraints, deadline));
+    for (const search::Place& place : results_.back().places) {
+      const auto known = std::find_if(judged.begin(), judged.end(), [&place](const Candidate& candidate) {
+        return isSame(candidate.place.T_reference_session, place.T_reference_session);
+      });
+      candidates_.push_back(known != judged.end() ? *known : candidateOf(reference, map, place));
+      candidates_.back().place = place;
+      best_worth_ = std::max(best_worth_, candidates_.back().worth);
+    }
   }
 
   std::optional<Findings> follow(const search::Reference& reference, const Plan& plan, const work::StopToken& stop) {
@@ -48,12 +60,13 @@ class ExactSearch {
   Findings findings() const { return rank(results_, candidates_, demandOf(options_).margin); }
 
  private:
-  double add(const search::Reference& reference, std::size_t map, const search::Place& place) {
+  static bool isSame(const grid::Rigid2& a, const grid::Rigid2& b) {
+    return a.x == b.x && a.y == b.y && a.yaw == b.yaw;
+  }
+
+  Candidate candidateOf(const search::Reference& reference, std::size_t map, const search::Place& place) const {
     const FreeSpace space = freeSpace(reference.seen(), seen_, place.T_reference_session);
-    const double worth = worthOf(place.hit_ratio, space);
-    candidates_.push_back({place, space, map, worth});
-    best_worth_ = std::max(best_worth_, worth);
-    return worth;
+    return {place, space, map, worthOf(place.hit_ratio, space)};
   }
 
   const search::MapMatcher& matcher_;

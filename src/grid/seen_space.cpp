@@ -19,15 +19,17 @@ cv::Mat widened(const cv::Mat& walls, double distance) {
 
 /// The cells on the middle lines of walls, or `deepest` [cells] below the surface of thicker ones.
 std::vector<Cell> middleLines(const cv::Mat& walls, double deepest) {
+  cv::Mat bordered;  // beyond the map, there is no wall
+  cv::copyMakeBorder(walls, bordered, 1, 1, 1, 1, cv::BORDER_CONSTANT, cv::Scalar(0));
   cv::Mat depth;
-  cv::distanceTransform(walls, depth, cv::DIST_L2, cv::DIST_MASK_5);
+  cv::distanceTransform(bordered, depth, cv::DIST_L2, cv::DIST_MASK_5);
   cv::Mat deepest_around;
   cv::dilate(depth, deepest_around, cv::Mat(), cv::Point(-1, -1), 1, cv::BORDER_REPLICATE);
   std::vector<Cell> cells;
   for (int y = 0; y < walls.rows; ++y) {
     for (int x = 0; x < walls.cols; ++x) {
-      const float here = depth.at<float>(y, x);
-      const bool is_ridge = here > 0.0F && here >= deepest_around.at<float>(y, x) && here < deepest;
+      const float here = depth.at<float>(y + 1, x + 1);
+      const bool is_ridge = here > 0.0F && here >= deepest_around.at<float>(y + 1, x + 1) && here < deepest;
       if (is_ridge || (here >= deepest && here < deepest + 1.0)) {
         cells.push_back({x, y});
       }

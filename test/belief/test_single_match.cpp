@@ -290,7 +290,7 @@ TEST(SingleMatch, SessionsOfOneCellOrOneSpotAreAnswered) {
 TEST(SingleMatch, SessionLargerThanTheReferenceIsAnswered) {
   std::mt19937 random(4);
   const grid::OccupancyGrid large = test::randomBuilding(random, 20.0, 12.0, kResolution);
-  const grid::OccupancyGrid part = test::cutSession(large, {10.0, 6.0}, 11.0, {}, kResolution);
+  const grid::OccupancyGrid part = test::cutSession(large, {10.0, 6.0}, 16.0, {}, kResolution);
   const test::Matcher matcher(part);
 
   const Answer result = matcher.match(large);

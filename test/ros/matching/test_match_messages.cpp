@@ -113,7 +113,7 @@ TEST(MatchMessages, CarryEverythingOfAResult) {
   EXPECT_EQ(fine.depth_first_search_time, 0.3);
 }
 
-TEST(MatchMessages, HaveTheIdentityWhenNothingMatched) {
+TEST(MatchMessages, HaveNoPoseWhenNothingMatched) {
   belief::Answer result = matchedResult();
   result.status = belief::MatchStatus::kBelowAcceptanceRatio;
 
@@ -121,9 +121,10 @@ TEST(MatchMessages, HaveTheIdentityWhenNothingMatched) {
 
   EXPECT_EQ(message.status, MapMatch::BELOW_ACCEPTANCE_RATIO);
   EXPECT_EQ(message.status_text, "below_acceptance_ratio");
-  EXPECT_EQ(message.x, 0.0);
-  EXPECT_EQ(message.T_reference_session.translation.x, 0.0);
-  EXPECT_EQ(message.T_reference_session.rotation.w, 1.0);
+  EXPECT_TRUE(std::isnan(message.x));
+  EXPECT_TRUE(std::isnan(message.T_reference_session.translation.x));
+  EXPECT_TRUE(std::isnan(message.T_reference_session.rotation.w));
+  EXPECT_TRUE(std::isnan(message.covariance[0]));
 }
 
 TEST(MatchMessages, NameEachStatusAsTheSearchDoes) {
@@ -137,6 +138,7 @@ TEST(MatchMessages, NameEachStatusAsTheSearchDoes) {
       {belief::MatchStatus::kStopped, MapMatch::STOPPED},
       {belief::MatchStatus::kNotCertified, MapMatch::NOT_CERTIFIED},
       {belief::MatchStatus::kAmbiguous, MapMatch::AMBIGUOUS},
+      {belief::MatchStatus::kDoubtful, MapMatch::DOUBTFUL},
       {belief::MatchStatus::kUnconfirmed, MapMatch::UNCONFIRMED},
       {belief::MatchStatus::kRobotLost, MapMatch::ROBOT_LOST},
   };
