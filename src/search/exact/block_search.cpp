@@ -226,18 +226,18 @@ void BlockSearch::offer(const std::vector<SearchNode>& poses, Incumbent& incumbe
 
 /// Adds the groups of some nodes of a level, the best last.
 void BlockSearch::addGroups(std::vector<SearchNode>& nodes) {
-  const auto placeOf = [](const SearchNode& node) {
+  const auto place_of = [](const SearchNode& node) {
     const grid::Cell first = groupOf(node);
     return std::make_tuple(node.rotation, first.y, first.x);
   };
   std::sort(nodes.begin(), nodes.end(), [&](const SearchNode& a, const SearchNode& b) {
-    return std::make_tuple(placeOf(a), -a.bound, a.first.y, a.first.x) <
-           std::make_tuple(placeOf(b), -b.bound, b.first.y, b.first.x);
+    return std::make_tuple(place_of(a), -a.bound, a.first.y, a.first.x) <
+           std::make_tuple(place_of(b), -b.bound, b.first.y, b.first.x);
   });
   const auto first_group = static_cast<std::ptrdiff_t>(groups_.size());
   for (auto first = nodes.cbegin(); first != nodes.cend();) {
     const auto end =
-        std::find_if(first, nodes.cend(), [&](const SearchNode& node) { return placeOf(node) != placeOf(*first); });
+        std::find_if(first, nodes.cend(), [&](const SearchNode& node) { return place_of(node) != place_of(*first); });
     groups_.push_back({{first, end}});
     first = end;
   }
