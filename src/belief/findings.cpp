@@ -33,6 +33,9 @@ Rivals rivalsOf(const Findings& findings) {
     rivals.worth = std::max(rivals.worth, findings.candidates[k].worth);
     rivals.hit_ratio = std::max(rivals.hit_ratio, findings.candidates[k].place.hit_ratio);
   }
+  if (findings.candidates.size() == 1 && findings.search.runner_up) {  // with too few hits for a candidate
+    rivals.worth = rivals.hit_ratio = findings.search.runner_up->ratio;
+  }
   return rivals;
 }
 
@@ -72,12 +75,14 @@ Findings rank(const std::vector<search::SearchResult>& results, std::vector<Cand
   if (search.certified) {
     take(best.place, search);
   }
-  search.runner_up.reset();
   const Rivals rivals = rivalsOf(findings);
   const double lead = leadOver(best, rivals);
-  if (search.certified && findings.candidates.size() > 1 && lead <= margin) {
+  if (findings.candidates.size() > 1) {
     const search::Place& second = findings.candidates[1].place;
     search.runner_up = search::RunnerUp{second.T_reference_session, second.hit_ratio};
+  }
+  if (!search.certified || lead > margin) {
+    search.runner_up.reset();
   }
   const double elsewhere = findings.elsewhere_bound;
   search.margin =

@@ -19,17 +19,15 @@ cv::Mat widened(const cv::Mat& walls, double distance) {
 
 /// The cells on the middle lines of walls, or `deepest` [cells] below the surface of thicker ones.
 std::vector<Cell> middleLines(const cv::Mat& walls, double deepest) {
-  cv::Mat bordered;  // beyond the map, there is no wall
-  cv::copyMakeBorder(walls, bordered, 1, 1, 1, 1, cv::BORDER_CONSTANT, cv::Scalar(0));
   cv::Mat depth;
-  cv::distanceTransform(bordered, depth, cv::DIST_L2, cv::DIST_MASK_5);
+  cv::distanceTransform(walls, depth, cv::DIST_L2, cv::DIST_MASK_5);
   cv::Mat deepest_around;
   cv::dilate(depth, deepest_around, cv::Mat(), cv::Point(-1, -1), 1, cv::BORDER_REPLICATE);
   std::vector<Cell> cells;
   for (int y = 0; y < walls.rows; ++y) {
     for (int x = 0; x < walls.cols; ++x) {
-      const float here = depth.at<float>(y + 1, x + 1);
-      const bool is_ridge = here > 0.0F && here >= deepest_around.at<float>(y + 1, x + 1) && here < deepest;
+      const float here = depth.at<float>(y, x);
+      const bool is_ridge = here > 0.0F && here >= deepest_around.at<float>(y, x) && here < deepest;
       if (is_ridge || (here >= deepest && here < deepest + 1.0)) {
         cells.push_back({x, y});
       }
@@ -40,8 +38,7 @@ std::vector<Cell> middleLines(const cv::Mat& walls, double deepest) {
 
 }  // namespace
 
-SeenSpace::SeenSpace(const OccupancyGrid& map, double cell_offset, int occupied_threshold)
-    : geometry_(map.geometry()) {
+SeenSpace::SeenSpace(const OccupancyGrid& map, double cell_offset, int occupied_threshold) : geometry_(map.geometry()) {
   geometry_.T_map_grid = cornerOf(map.geometry(), cell_offset);
   cv::Mat walls(geometry_.height, geometry_.width, CV_8U, cv::Scalar(0));
   for (const Cell& wall : occupiedCells(map, static_cast<std::int8_t>(occupied_threshold))) {
@@ -70,8 +67,6 @@ Seen SeenSpace::at(const Eigen::Vector2d& p_map) const {
                static_cast<std::size_t>(cell.x)];
 }
 
-std::size_t SeenSpace::bytes() const {
-  return seen_.size() * sizeof(Seen) + walls_.size() * sizeof(Eigen::Vector2d);
-}
+std::size_t SeenSpace::bytes() const { return seen_.size() * sizeof(Seen) + walls_.size() * sizeof(Eigen::Vector2d); }
 
 }  // namespace map_matcher::grid

@@ -46,7 +46,8 @@ parameters::ParameterList parametersOf(SearchOptions& options) {
        "Coarse stage: cells that the farthest session cell may move in two rotation steps (eq. 4.2).",
        &options.coarse.rotation_downsampling, 0.1, 100.0},
       {"acceptance_ratio", "",
-       "Coarse stage and exact search: smallest share of session cells on walls that is an answer.",
+       "Coarse stage: smallest share of session cells on walls that is an answer; to an exact search it is but a "
+       "start.",
        &options.coarse.acceptance_ratio, 0.0, 1.0},
       {"fine_rotation_downsampling", "cells", "Fine stage: the same as rotation_downsampling.",
        &options.fine.rotation_downsampling, 0.1, 100.0},

@@ -41,7 +41,7 @@ TEST(SeenSpace, CountsAThickWallOnce) {
 }
 
 TEST(SeenSpace, TakesTheCellOffsetOff) {
-  const SeenSpace space(test::asciiMap({"#"}, 0.1), 0.5, kDefaultOccupiedThreshold);
+  const SeenSpace space(test::asciiMap({"#."}, 0.1), 0.5, kDefaultOccupiedThreshold);
 
   ASSERT_EQ(space.walls().size(), 1U);
   EXPECT_NEAR(space.walls().front().x(), 0.0, 1e-12);

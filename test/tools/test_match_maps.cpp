@@ -120,7 +120,7 @@ TEST_F(MatchMaps, WritesJsonAndPictureToFiles) {
 }
 
 TEST_F(MatchMaps, WithoutAcceptableMatchExitsWithOneAndTheReason) {
-  std::ofstream(file("config.yaml")) << "acceptance_ratio: 1.0\ncoarse_resolution: 0.05\nhit_tolerance: 0.0\n";
+  std::ofstream(file("config.yaml")) << "min_hit_ratio: 1.0\ncoarse_resolution: 0.05\nhit_tolerance: 0.0\n";
 
   const Run match = run(maps() + " --config '" + file("config.yaml") + "' --json -");
 

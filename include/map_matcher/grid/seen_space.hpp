@@ -12,7 +12,7 @@ namespace map_matcher::grid {
 
 /// What a map says of a place.
 enum class Seen : std::uint8_t {
-  kUnseen,   ///< Nothing, or nothing that is sure.
+  kUnseen,    ///< Nothing, or nothing that is sure.
   kOpen,      ///< There is no wall, nor one within SeenSpace::kNear.
   kNearWall,  ///< There is a wall within SeenSpace::kNear.
 };
@@ -23,8 +23,8 @@ class SeenSpace {
   /// How far from a wall its place may be in another map of the building: what mappers bend, and cells [m].
   static constexpr double kNear = 0.2;
 
-  /// A wall is a cell of at least `occupied_threshold` [percent]; free is one of at most 100 less that. `cell_offset` as
-  /// for cornerOf() [cells].
+  /// A wall is a cell of at least `occupied_threshold` [percent]; free is one of at most 100 less that. `cell_offset`
+  /// as for cornerOf() [cells].
   SeenSpace(const OccupancyGrid& map, double cell_offset, int occupied_threshold);
 
   /// What is said of a place of the map frame [m].
@@ -34,13 +34,15 @@ class SeenSpace {
   /// drawn; of what is thicker than 2 * kNear, a line that far below its surface.
   const std::vector<Eigen::Vector2d>& walls() const { return walls_; }
 
-  double resolution() const { return geometry_.resolution; }  ///< Edge length of a cell, the length of wall that a point stands for [m].
+  double resolution() const {
+    return geometry_.resolution;
+  }  ///< Edge length of a cell, the length of wall that a point stands for [m].
 
   std::size_t bytes() const;  ///< Memory taken [bytes].
 
  private:
-  GridGeometry geometry_;  // with the cell offset
-  std::vector<Seen> seen_;       // row-major
+  GridGeometry geometry_;   // with the cell offset
+  std::vector<Seen> seen_;  // row-major
   std::vector<Eigen::Vector2d> walls_;
 };
 

@@ -221,6 +221,7 @@ std::string tableWithoutTimes(const trials::Trial& trial) {
   std::vector<trials::TrialQuery> queries = trial.matching().queries();
   for (trials::TrialQuery& query : queries) {
     query.answer.search.search_time = 0.0;
+    query.answer.search.reference_time = 0.0;
     for (search::StageReport& stage : query.answer.search.stages) {
       stage.initialization_time = 0.0;
       stage.rotation_expansion_time = 0.0;
