@@ -81,7 +81,7 @@ Findings rank(const std::vector<search::SearchResult>& results, std::vector<Cand
     const search::Place& second = findings.candidates[1].place;
     search.runner_up = search::RunnerUp{second.T_reference_session, second.hit_ratio};
   }
-  if (!search.certified || lead > margin) {
+  if (!search.certified) {
     search.runner_up.reset();
   }
   const double elsewhere = findings.elsewhere_bound;

@@ -1,5 +1,7 @@
 #include "map_matcher/belief/session_tracker.hpp"
 
+#include <utility>
+
 #include "map_matcher/belief/agreement.hpp"
 
 namespace map_matcher::belief {
@@ -64,7 +66,11 @@ void SessionTracker::suppose(const Prior& prior) {
   }
 }
 
-void SessionTracker::reset() { *this = SessionTracker(options_); }
+void SessionTracker::reset() {
+  std::optional<SessionMapTraits> last_map = std::move(last_map_);
+  *this = SessionTracker(options_);
+  last_map_ = std::move(last_map);  // whatever is forgotten, a mapper that begins anew is to be known by it
+}
 
 /// What the places are worth with what is known beside the map: that of an earlier map is given up only for one that is
 /// worth more by min_margin, and what somebody says decides between equals.

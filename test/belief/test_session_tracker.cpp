@@ -122,6 +122,15 @@ TEST_F(TrackerTable, BelievesTheFirstPlaceOfANewSessionAtOnce) {
   run({{2, Found::kPlace, 9.0, MatchStatus::kMatched, Broadcast::kReplace}});
 }
 
+TEST_F(TrackerTable, KnowsAMapperThatBeginsAnewWhateverWasForgotten) {
+  tracker_.arrive({"session_map", "/mapper", 1.0, 0.05, 5000});
+  tracker_.reset();  // another reference map came after the session map
+  run({{1, Found::kPlace, 3.0, MatchStatus::kMatched, Broadcast::kReplace}});
+
+  EXPECT_NE(tracker_.arrive({"session_map", "/mapper", 2.0, 0.05, 400}), "");
+  EXPECT_FALSE(tracker_.alignment());
+}
+
 TEST_F(TrackerTable, ForgetsAllWhenItIsReset) {
   run({{1, Found::kPlace, 3.0, MatchStatus::kMatched, Broadcast::kReplace},
        {2, Found::kPlace, 9.0, MatchStatus::kUnconfirmed, Broadcast::kKeep}});

@@ -47,7 +47,10 @@ class ReplaySimulated(unittest.TestCase):
         run_launch("replay.launch", REPLAY_DEADLINE, "map:=" + self.map, "bag:=" + self.bag, "rate:=%g" % REPLAY_RATE,
                    "rviz:=false", "end_with_bag:=true")
 
-        self.assertEqual({match.status_text for match in matches.messages}, {"matched"})
+        statuses = [match.status_text for match in matches.messages]
+        first = statuses.index("matched")
+        self.assertLessEqual(set(statuses[:first]), {"doubtful"}, "a short map may be too little to be sure")
+        self.assertEqual(set(statuses[first:]), {"matched"})
         errors = position_errors(buffer, truth.messages)
         self.assertGreater(len(errors), MIN_COMPARED * len(truth.messages))
         print("localized %.1f s after the start; %d of %d poses compared: mean %.3f m, worst %.3f m" % (

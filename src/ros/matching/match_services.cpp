@@ -102,6 +102,7 @@ belief::MatchOptions optionsOf(const MatchToReference::Request& request, const b
   belief::MatchOptions options = node_options;
   if (overrides(request.acceptance_ratio)) {
     options.search.coarse.acceptance_ratio = request.acceptance_ratio;
+    options.belief.min_hit_ratio = request.acceptance_ratio;
   }
   if (overrides(request.rotation_downsampling)) {
     options.search.coarse.rotation_downsampling = request.rotation_downsampling;
