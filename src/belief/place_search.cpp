@@ -12,8 +12,7 @@ class ExactSearch {
       : matcher_(matcher),
         session_(session),
         options_(options),
-        seen_(session, options.search.session_map_cell_offset, options.search.occupied_threshold),
-        best_worth_(0.0) {}
+        seen_(session, options.search.session_map_cell_offset, options.search.occupied_threshold) {}
 
   void search(const search::Reference& reference, const search::Constraints& constraints,
               const work::Deadline& deadline) {
@@ -73,7 +72,7 @@ class ExactSearch {
   const grid::OccupancyGrid& session_;
   const MatchOptions& options_;
   grid::SeenSpace seen_;
-  double best_worth_;
+  double best_worth_ = 0.0;
   std::vector<search::SearchResult> results_;
   std::vector<Candidate> candidates_;
 };

@@ -164,7 +164,7 @@ class ScanMatching {
       const double value = solver.eigenvalues()[k];
       shares[k] = value > 0.0 ? std::max(0.0, value - kSpurious * sums.weights) / value : 0.0;
     }
-    const Eigen::Matrix3d directions = solver.eigenvectors();
+    const Eigen::Matrix3d& directions = solver.eigenvectors();
     const Eigen::Vector3d back = units.cwiseInverse();
     NormalEquations result = sums;
     result.information = back.asDiagonal() * directions * shares.cwiseProduct(solver.eigenvalues()).asDiagonal() *

@@ -47,7 +47,8 @@ class Services(NodeFixture):
     def test_3_take_parameters_instead_of_the_nodes(self):
         self.give_reference()
 
-        self.assertEqual(self.ask(acceptance_ratio=0.999).status, MapMatch.BELOW_ACCEPTANCE_RATIO)
+        strict = self.ask(acceptance_ratio=0.999)
+        self.assertEqual(strict.status, MapMatch.BELOW_ACCEPTANCE_RATIO, strict.reason)
         self.assertEqual(self.ask(hits_sample_threshold=150).total_cells, 150)
         finer, coarser = self.ask(rotation_downsampling=1.0), self.ask(rotation_downsampling=4.0)
         self.assertGreater(finer.stages[0].rotations, 3 * coarser.stages[0].rotations)

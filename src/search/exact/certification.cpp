@@ -33,8 +33,7 @@ class Certification {
  public:
   Certification(const SearchReference& reference, const SearchSession& session, const SearchOptions& options,
                 const Demand& demand, const Constraints& constraints, const work::Deadline& deadline)
-      : reference_(reference),
-        options_(options),
+      : options_(options),
         constraints_(constraints),
         deadline_(deadline),
         frames_(reference.T_reference_grid(), session.T_session_grid),
@@ -193,7 +192,6 @@ class Certification {
   }
 
   work::Stopwatch watch_;
-  const SearchReference& reference_;
   const SearchOptions& options_;
   const Constraints& constraints_;
   const work::Deadline& deadline_;
