@@ -18,12 +18,12 @@ bool isSamePose(const grid::Rigid2& a, const grid::Rigid2& b, const Eigen::Vecto
   return difference.distance <= options.distinct_distance && difference.angle <= options.distinct_angle;
 }
 
+}  // namespace
+
 bool isSamePlace(const Findings& findings, const search::SearchOptions& options, const KnownPlace& place) {
   return findings.map == place.map &&
          isSamePose(wholePose(findings.search), place.T_reference_session, findings.search.session_centre, options);
 }
-
-}  // namespace
 
 bool isAt(const Candidate& candidate, const Eigen::Vector2d& session_centre, const KnownPlace& place,
           const search::SearchOptions& options) {

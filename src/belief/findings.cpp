@@ -9,18 +9,6 @@ namespace {
 constexpr double kSeenThroughWeight = 0.5;
 constexpr double kRounding = 1e-9;
 
-/// Makes a candidate's place that of the answer.
-void take(const search::Place& place, search::SearchResult& result) {
-  result.found = true;
-  result.T_reference_session = place.T_reference_session;
-  result.searched = place.searched;
-  result.covariance = place.covariance;
-  result.matched_cells = place.matched_cells;
-  result.ratio = static_cast<double>(place.matched_cells) / std::max(1, result.total_cells);
-  result.hit_cells = place.hit_cells;
-  result.hit_ratio = place.hit_ratio;
-}
-
 /// What the best of the other candidates has.
 struct Rivals {
   double worth = 0.0;
@@ -73,16 +61,15 @@ Findings rank(const std::vector<search::SearchResult>& results, std::vector<Cand
   search::SearchResult& search = findings.search;
   const Candidate& best = findings.candidates.front();
   if (search.certified) {
-    take(best.place, search);
+    setAnswer(search, best.place);
   }
   const Rivals rivals = rivalsOf(findings);
   const double lead = leadOver(best, rivals);
-  if (findings.candidates.size() > 1) {
-    const search::Place& second = findings.candidates[1].place;
-    search.runner_up = search::RunnerUp{second.T_reference_session, second.hit_ratio};
-  }
   if (!search.certified) {
     search.runner_up.reset();
+  } else if (findings.candidates.size() > 1) {
+    const search::Place& second = findings.candidates[1].place;
+    search.runner_up = search::RunnerUp{second.T_reference_session, second.hit_ratio};
   }
   const double elsewhere = findings.elsewhere_bound;
   search.margin =

@@ -25,42 +25,42 @@ MatchStatus statusWithoutSearch(search::SearchEnding ending) {
   return MatchStatus::kStopped;
 }
 
-/// What the search says, of a place that was searched with a proof.
-std::vector<Evidence> gatherProven(const Findings& findings, const MatchOptions& options, bool confirmed,
-                                   bool follows) {
+void append(std::vector<Evidence>& evidence, const std::vector<Evidence>& more) {
+  evidence.insert(evidence.end(), more.begin(), more.end());
+}
+
+/// What the search says of the place.
+std::vector<Evidence> gatherSearched(const Findings& findings, double probability, const MatchOptions& options,
+                                     Standing standing, const std::optional<KnownPlace>& tentative) {
   const search::SearchResult& result = findings.search;
-  std::vector<Evidence> evidence{proofEvidence(result, options), hitEvidence(result, options),
-                                 marginEvidence(findings, options, follows)};
+  const bool follows = standing == Standing::kAgrees && options.belief.follow_alignment;
+  std::vector<Evidence> evidence;
+  if (findings.followed) {
+    evidence = {followedEvidence(findings)};
+  } else {
+    evidence = {proofEvidence(result, options), hitEvidence(result, options),
+                marginEvidence(findings, options, follows)};
+  }
   if (!findings.candidates.empty()) {
-    for (Evidence& piece : freeSpaceEvidence(findings.candidates.front().space)) {
-      evidence.push_back(std::move(piece));
-    }
-    evidence.push_back(probabilityEvidence(probabilityOf(findings), options.belief, confirmed, follows));
+    append(evidence, freeSpaceEvidence(findings.candidates.front().space));
+  }
+  if (!findings.candidates.empty() && !findings.followed) {
+    const bool confirmed = tentative && result.found && isSamePlace(findings, options.search, *tentative);
+    evidence.push_back(probabilityEvidence(probability, options.belief, confirmed, follows));
   }
   return evidence;
 }
 
-std::vector<Evidence> gather(const Findings& findings, const MatchOptions& options,
+std::vector<Evidence> gather(const Findings& findings, double probability, const MatchOptions& options,
                              const Circumstances& circumstances) {
   const search::SearchResult& result = findings.search;
-  std::vector<Evidence> evidence;
-  if (findings.followed) {
-    evidence.push_back(followedEvidence(findings));
-    for (Evidence& piece : freeSpaceEvidence(findings.candidates.front().space)) {
-      evidence.push_back(std::move(piece));
-    }
-  } else if (!result.exact) {
+  if (!findings.followed && !result.exact) {
     return {ratioEvidence(result, options)};
   }
   const Standing standing = result.found
                                 ? standingOf(findings, options.search, circumstances.alignment, circumstances.contender)
                                 : Standing::kFirst;
-  if (!findings.followed) {
-    const bool follows = standing == Standing::kAgrees && options.belief.follow_alignment;
-    const bool confirmed = circumstances.tentative && result.found &&
-                           standingOf(findings, options.search, circumstances.tentative, {}) == Standing::kAgrees;
-    evidence = gatherProven(findings, options, confirmed, follows);
-  }
+  std::vector<Evidence> evidence = gatherSearched(findings, probability, options, standing, circumstances.tentative);
   if (result.found) {
     evidence.push_back(agreementEvidence(findings, options, standing, circumstances.alignment));
   }
@@ -68,9 +68,7 @@ std::vector<Evidence> gather(const Findings& findings, const MatchOptions& optio
     evidence.push_back(*circumstances.prior);
   }
   if (circumstances.nearby) {
-    for (Evidence& piece : surroundingsEvidence(*circumstances.nearby, options.belief, circumstances.robot_was_lost)) {
-      evidence.push_back(std::move(piece));
-    }
+    append(evidence, surroundingsEvidence(*circumstances.nearby, options.belief, circumstances.robot_was_lost));
   }
   return evidence;
 }
@@ -102,7 +100,7 @@ Answer judge(const Findings& findings, const MatchOptions& options, const Circum
     answer.reason = result.reason;
     return answer;
   }
-  answer.evidence = gather(findings, options, circumstances);
+  answer.evidence = gather(findings, answer.probability, options, circumstances);
   answer.nearby = circumstances.nearby.value_or(Surroundings{});
   if (const Evidence* objection = firstAgainst(answer.evidence)) {
     answer.status = objection->objection;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "map_matcher/belief/agreement.hpp"
+
 namespace map_matcher::belief {
 namespace {
 
@@ -14,6 +16,33 @@ class ExactSearch {
         options_(options),
         seen_(session, options.search.session_map_cell_offset, options.search.occupied_threshold) {}
 
+  std::optional<Findings> follow(const search::Reference& reference, const Plan& plan, const work::StopToken& stop) {
+    const search::SearchResult result = matcher_.follow(reference, session_, *plan.follow, demandOf(options_), stop);
+    if (!result.found || result.places.empty()) {
+      return std::nullopt;
+    }
+    const Candidate candidate = candidateOf(reference, plan.map, result.places.front());
+    if (!isAt(candidate, result.session_centre, {*plan.follow, plan.map}, options_.search) ||
+        candidate.worth < plan.worth - kFollowedLoss) {
+      return std::nullopt;
+    }
+    Findings findings;
+    findings.search = result;
+    findings.map = plan.map;
+    findings.candidates = {candidate};
+    findings.followed = true;
+    return findings;
+  }
+
+  Findings searchAll(const ReferenceMaps& maps, const search::Constraints& constraints,
+                     const work::Deadline& deadline) {
+    for (const search::Reference* map : maps) {
+      search(*map, constraints, deadline);
+    }
+    return rank(results_, candidates_, demandOf(options_).margin);
+  }
+
+ private:
   void search(const search::Reference& reference, const search::Constraints& constraints,
               const work::Deadline& deadline) {
     const std::size_t map = results_.size();
@@ -35,30 +64,6 @@ class ExactSearch {
     }
   }
 
-  std::optional<Findings> follow(const search::Reference& reference, const Plan& plan, const work::StopToken& stop) {
-    const search::SearchResult result = matcher_.follow(reference, session_, *plan.follow, demandOf(options_), stop);
-    if (!result.found || result.places.empty()) {
-      return std::nullopt;
-    }
-    const search::Place& place = result.places.front();
-    const search::PlaceDifference difference = search::difference(place.searched, *plan.follow, result.session_centre);
-    const FreeSpace space = freeSpace(reference.seen(), seen_, place.T_reference_session);
-    const double worth = worthOf(place.hit_ratio, space);
-    if (difference.distance > options_.search.distinct_distance || difference.angle > options_.search.distinct_angle ||
-        worth < plan.worth - kFollowedLoss) {
-      return std::nullopt;
-    }
-    Findings findings;
-    findings.search = result;
-    findings.map = plan.map;
-    findings.candidates = {{place, space, plan.map, worth}};
-    findings.followed = true;
-    return findings;
-  }
-
-  Findings findings() const { return rank(results_, candidates_, demandOf(options_).margin); }
-
- private:
   static bool isSame(const grid::Rigid2& a, const grid::Rigid2& b) {
     return a.x == b.x && a.y == b.y && a.yaw == b.yaw;
   }
@@ -77,23 +82,54 @@ class ExactSearch {
   std::vector<Candidate> candidates_;
 };
 
+/// The answer of the two stages that has most cells on walls.
+Findings searchInTwoStages(const search::MapMatcher& matcher, const ReferenceMaps& maps,
+                           const grid::OccupancyGrid& session, const MatchOptions& options,
+                           const search::Constraints& constraints, const work::Deadline& deadline) {
+  Findings best;
+  for (std::size_t map = 0; map < maps.size(); ++map) {
+    const search::SearchResult result = matcher.match(*maps[map], session, demandOf(options), constraints, deadline);
+    if (map == 0 || (result.found && (!best.search.found || result.ratio > best.search.ratio))) {
+      best.search = result;
+      best.map = map;
+    }
+  }
+  return best;
+}
+
+bool isExact(const MatchOptions& options) { return options.search.search == "exact"; }
+
+/// Builds what depends only on the reference maps; the time that it took [s].
+double prepare(const ReferenceMaps& maps, double session_resolution, bool exact, const work::StopToken& stop) {
+  double time = 0.0;
+  for (const search::Reference* map : maps) {
+    time += map->at(session_resolution, stop).time;
+    if (exact && !stop.stopRequested()) {
+      map->seen();
+    }
+  }
+  return time;
+}
+
 }  // namespace
 
 Findings findPlaces(const search::MapMatcher& matcher, const ReferenceMaps& maps, const grid::OccupancyGrid& session,
                     const MatchOptions& options, const Plan& plan, const search::Constraints& constraints,
                     const work::StopToken& stop) {
-  double reference_time = 0.0;
-  for (const search::Reference* map : maps) {
-    reference_time += map->at(session.resolution(), stop).time;
-  }
-  if (plan.follow) {
-    if (const std::optional<Findings> followed =
-            ExactSearch(matcher, session, options).follow(*maps.at(plan.map), plan, stop)) {
-      return *followed;
+  const double reference_time = prepare(maps, session.resolution(), isExact(options), stop);
+  Findings findings;
+  if (isExact(options)) {
+    ExactSearch search(matcher, session, options);
+    if (plan.follow) {
+      if (const std::optional<Findings> followed = search.follow(*maps.at(plan.map), plan, stop)) {
+        return *followed;
+      }
     }
+    findings = search.searchAll(maps, constraints, work::Deadline(options.search.exact_deadline, stop));
+  } else {
+    findings = searchInTwoStages(matcher, maps, session, options, constraints,
+                                 work::Deadline(options.search.exact_deadline, stop));
   }
-  Findings findings =
-      findPlaces(matcher, maps, session, options, constraints, work::Deadline(options.search.exact_deadline, stop));
   findings.search.reference_time = reference_time;
   return findings;
 }
@@ -101,22 +137,8 @@ Findings findPlaces(const search::MapMatcher& matcher, const ReferenceMaps& maps
 Findings findPlaces(const search::MapMatcher& matcher, const ReferenceMaps& maps, const grid::OccupancyGrid& session,
                     const MatchOptions& options, const search::Constraints& constraints,
                     const work::Deadline& deadline) {
-  if (options.search.search != "exact") {
-    Findings best;
-    for (std::size_t map = 0; map < maps.size(); ++map) {
-      const search::SearchResult result = matcher.match(*maps[map], session, demandOf(options), constraints, deadline);
-      if (map == 0 || (result.found && (!best.search.found || result.ratio > best.search.ratio))) {
-        best.search = result;
-        best.map = map;
-      }
-    }
-    return best;
-  }
-  ExactSearch search(matcher, session, options);
-  for (const search::Reference* map : maps) {
-    search.search(*map, constraints, deadline);
-  }
-  return search.findings();
+  return isExact(options) ? ExactSearch(matcher, session, options).searchAll(maps, constraints, deadline)
+                          : searchInTwoStages(matcher, maps, session, options, constraints, deadline);
 }
 
 }  // namespace map_matcher::belief

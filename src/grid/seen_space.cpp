@@ -67,6 +67,4 @@ Seen SeenSpace::at(const Eigen::Vector2d& p_map) const {
                static_cast<std::size_t>(cell.x)];
 }
 
-std::size_t SeenSpace::bytes() const { return seen_.size() * sizeof(Seen) + walls_.size() * sizeof(Eigen::Vector2d); }
-
 }  // namespace map_matcher::grid

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "map_matcher/grid/pose_covariance.hpp"
+
 namespace map_matcher::mapping {
 namespace {
 
@@ -24,10 +26,7 @@ PoseEstimate moved(const PoseEstimate& estimate, const grid::Rigid2& motion, dou
 
   PoseEstimate after;
   after.T_session_base = estimate.T_session_base * motion;
-  Eigen::Matrix3d jacobian = Eigen::Matrix3d::Identity();  // a wrong heading leads aside
-  jacobian(0, 2) = -way.y();
-  jacobian(1, 2) = way.x();
-  after.covariance = jacobian * estimate.covariance * jacobian.transpose();
+  after.covariance = grid::covarianceOfProduct(estimate.T_session_base, estimate.covariance, motion);
   after.covariance.topLeftCorner<2, 2>() +=
       (along - beside) * direction * direction.transpose() + (beside + everywhere) * Eigen::Matrix2d::Identity();
   after.covariance(2, 2) += noise.srt * noise.srt * distance + noise.stt * noise.stt * turn + kTwist * kTwist * time;

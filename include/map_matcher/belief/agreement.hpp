@@ -24,6 +24,9 @@ enum class Standing {
 Standing standingOf(const Findings& findings, const search::SearchOptions& options,
                     const std::optional<KnownPlace>& alignment, const std::optional<KnownPlace>& contender);
 
+/// Whether the place that was found is that one.
+bool isSamePlace(const Findings& findings, const search::SearchOptions& options, const KnownPlace& place);
+
 /// Whether a candidate is that place.
 bool isAt(const Candidate& candidate, const Eigen::Vector2d& session_centre, const KnownPlace& place,
           const search::SearchOptions& options);

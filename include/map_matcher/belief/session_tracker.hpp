@@ -75,9 +75,6 @@ class SessionTracker {
   /// they do not mean has to prove itself anew, and keeps being broadcast meanwhile.
   void suppose(const Prior& prior);
 
-  /// What was supposed last.
-  const std::optional<Prior>& prior() const { return prior_; }
-
   /// The reference map is another one, or time went back: nothing is believed any more, whatever comes next. The traits
   /// of the last map are kept, so that a mapper that begins anew is still told by them.
   void reset();

@@ -34,11 +34,8 @@ class SeenSpace {
   /// drawn; of what is thicker than 2 * kNear, a line that far below its surface.
   const std::vector<Eigen::Vector2d>& walls() const { return walls_; }
 
-  double resolution() const {
-    return geometry_.resolution;
-  }  ///< Edge length of a cell, the length of wall that a point stands for [m].
-
-  std::size_t bytes() const;  ///< Memory taken [bytes].
+  /// Edge length of a cell, the length of wall that a point stands for [m].
+  double resolution() const { return geometry_.resolution; }
 
  private:
   GridGeometry geometry_;   // with the cell offset

@@ -108,6 +108,9 @@ struct SearchResult {
   bool ended() const { return ending == SearchEnding::kSearched || ending == SearchEnding::kOutOfTime; }
 };
 
+/// Makes a place, with all that is known of it, the answer. `result.total_cells` is set.
+void setAnswer(SearchResult& result, const Place& place);
+
 /// The stage called `name`; nullptr when it did not run.
 const StageReport* stageOf(const SearchResult& result, const std::string& name);
 

@@ -169,19 +169,15 @@ class Certification {
 
   /// Takes a pose as the answer; one that is proven is moved from whole cells to where the session lies best.
   void place(const SearchPose& pose, bool proven) {
+    if (proven) {
+      setAnswer(result_, result_.places.empty() ? placing_.placeOf(pose) : result_.places.front());
+      return;
+    }
     result_.refined = true;
     result_.hit_cells = pose.count;
     result_.hit_ratio = placing_.ratio(pose.count);
-    if (proven) {
-      const Place place = result_.places.empty() ? placing_.placeOf(pose) : result_.places.front();
-      result_.searched = place.searched;
-      result_.T_reference_session = place.T_reference_session;
-      result_.covariance = place.covariance;
-      result_.matched_cells = place.matched_cells;
-    } else {
-      result_.T_reference_session = placing_.mapPose(pose);
-      result_.matched_cells = placing_.matchesAt(placing_.centrePose(pose));
-    }
+    result_.T_reference_session = placing_.mapPose(pose);
+    result_.matched_cells = placing_.matchesAt(placing_.centrePose(pose));
     result_.ratio = placing_.ratio(result_.matched_cells);
   }
 

@@ -20,20 +20,6 @@ RotationBlocks allRotationsOf(const SessionCells& cells) {
   return {cells, 0.0, step, static_cast<int>(std::lround(2.0 * M_PI / step)), kTopLevel};
 }
 
-/// Takes a place for the answer.
-void takePlace(SearchResult& result, const Place& place) {
-  result.found = true;
-  result.refined = true;
-  result.T_reference_session = place.T_reference_session;
-  result.searched = place.searched;
-  result.covariance = place.covariance;
-  result.matched_cells = place.matched_cells;
-  result.ratio = static_cast<double>(place.matched_cells) / result.total_cells;
-  result.hit_cells = place.hit_cells;
-  result.hit_ratio = place.hit_ratio;
-  result.places.push_back(place);
-}
-
 StageReport reportOf(const RotationBlocks& rotations, const SessionCells& cells, int hits) {
   StageReport stage;
   stage.name = "follow";
@@ -74,7 +60,8 @@ SearchResult followPlace(const SearchReference& reference, const SearchSession& 
   if (stage.answered) {
     Place place = placing.placeOf(*pose);
     place.worth = demand.worth ? demand.worth(place) : place.worth;
-    takePlace(result, place);
+    setAnswer(result, place);
+    result.places.push_back(place);
   }
   std::ostringstream reason;
   reason << stage.matched_cells << " of " << stage.total_cells << " session cells lie near walls at the best pose near "
