@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "map_matcher/ros/matching/change_map_service.hpp"
+#include "map_matcher/ros/matching/map_url.hpp"
 #include "support/thrown_text.hpp"
 
 namespace map_matcher::ros_matching {
