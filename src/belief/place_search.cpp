@@ -17,18 +17,19 @@ class ExactSearch {
         seen_(session, options.search.session_map_cell_offset, options.search.occupied_threshold) {}
 
   std::optional<Findings> follow(const search::Reference& reference, const Plan& plan, const work::StopToken& stop) {
-    const search::SearchResult result = matcher_.follow(reference, session_, *plan.follow, demandOf(options_), stop);
+    const search::SearchResult result =
+        matcher_.follow(reference, session_, plan.follow->T_reference_session, demandOf(options_), stop);
     if (!result.found || result.places.empty()) {
       return std::nullopt;
     }
-    const Candidate candidate = candidateOf(reference, plan.map, result.places.front());
-    if (!isAt(candidate, result.session_centre, {*plan.follow, plan.map}, options_.search) ||
+    const Candidate candidate = candidateOf(reference, plan.follow->map, result.places.front());
+    if (!isAt(candidate, result.session_centre, *plan.follow, options_.search) ||
         candidate.worth < plan.worth - kFollowedLoss) {
       return std::nullopt;
     }
     Findings findings;
     findings.search = result;
-    findings.map = plan.map;
+    findings.map = plan.follow->map;
     findings.candidates = {candidate};
     findings.followed = true;
     return findings;
@@ -121,7 +122,7 @@ Findings findPlaces(const search::MapMatcher& matcher, const ReferenceMaps& maps
   if (isExact(options)) {
     ExactSearch search(matcher, session, options);
     if (plan.follow) {
-      if (const std::optional<Findings> followed = search.follow(*maps.at(plan.map), plan, stop)) {
+      if (const std::optional<Findings> followed = search.follow(*maps.at(plan.follow->map), plan, stop)) {
         return *followed;
       }
     }

@@ -68,7 +68,7 @@ TEST_F(Floors, ThatAreAlikeAreAmbiguous) {
 
 TEST_F(Floors, AreNotSearchedWhereThePlaceInUseHolds) {
   const Findings whole = find();
-  const Plan plan{whole.search.T_reference_session, whole.map, whole.candidates.front().worth};
+  const Plan plan{KnownPlace(whole.search.T_reference_session, whole.map), whole.candidates.front().worth};
 
   const Findings followed = find(plan);
 
@@ -78,8 +78,8 @@ TEST_F(Floors, AreNotSearchedWhereThePlaceInUseHolds) {
 }
 
 TEST_F(Floors, AreSearchedWhereThePlaceInUseDoesNotHold) {
-  const Plan wrong_place{grid::Rigid2{5.0, 3.0, 0.3} * truth_, 1, 0.9};
-  const Plan wrong_floor{truth_, 0, 0.9};
+  const Plan wrong_place{KnownPlace(grid::Rigid2{5.0, 3.0, 0.3} * truth_, 1), 0.9};
+  const Plan wrong_floor{KnownPlace(truth_, 0), 0.9};
 
   for (const Plan& plan : {wrong_place, wrong_floor}) {
     const Findings findings = find(plan);

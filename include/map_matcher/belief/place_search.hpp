@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "map_matcher/belief/findings.hpp"
+#include "map_matcher/belief/known_place.hpp"
 #include "map_matcher/belief/match_options.hpp"
 #include "map_matcher/belief/prior.hpp"
 #include "map_matcher/grid/occupancy_grid.hpp"
@@ -20,9 +21,8 @@ using ReferenceMaps = std::vector<const search::Reference*>;
 
 /// Where to look, and in what order.
 struct Plan {
-  std::optional<grid::Rigid2> follow;  ///< T_reference_session in use: the whole search only if it does not hold there.
-  std::size_t map = 0;                 ///< The reference map that it is in.
-  double worth = 0.0;                  ///< Of it, when it was last proven or followed.
+  std::optional<KnownPlace> follow;  ///< The place in use: the whole search only if it does not hold.
+  double worth = 0.0;                ///< Of it, when it was last proven or followed.
 };
 
 /// Searches the plan's place, and if that does not hold any more, or there is none, all of `maps`, one after the other;
