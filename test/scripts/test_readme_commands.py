@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Runs what README.md tells a user to type, as it stands there, on a small simulated drive: a test case a command.
+"""Runs what README.md and docs tell a user to type, as it stands there, on a small simulated drive: a test case a
+command.
 
-The commands run in a shell that has sourced what README.md says, of the build that MAP_MATCHER_BUILD names (a directory
+The commands run in a shell that has sourced what they say, of the build that MAP_MATCHER_BUILD names (a directory
 that scripts/build has filled); without MAP_MATCHER_BUILD they run in the environment as it is.
 """
 
@@ -32,6 +33,8 @@ MORE_ARGUMENTS = {
 OTHER_TEXTS = {"--duration 120": "--duration 10"}
 # Words of commands that draw session maps, for which there is nothing to run where MRPT is missing.
 NEEDING_MRPT = ("map_bag", "--session", "evaluate_drive", "replay.launch bag:", "simulated_crowd.launch density:")
+# Packages of others that a launch file starts nodes of; roslaunch finds none of them where they are not installed.
+STARTING_NODES_OF = {"navigation.launch": "move_base"}
 # They run until they are stopped, as every launch file does.
 ENDLESS_PROGRAMS = ("slam_gmapping", "person_detections_bridge")
 
@@ -39,13 +42,14 @@ ENDLESS_PROGRAMS = ("slam_gmapping", "person_detections_bridge")
 class Command:
     """A line of a code block, or a command in the text."""
 
-    def __init__(self, line_number, text):
+    def __init__(self, page, line_number, text):
+        self.page = page
         self.line_number = line_number
         self.words = text.split()
         self.text = text
 
     def __str__(self):
-        return f"README.md, line {self.line_number}: {self.text}"
+        return f"{self.page}, line {self.line_number}: {self.text}"
 
     def is_endless(self):
         return ((self.words[0] == "roslaunch" and "--ros-args" not in self.words) or
@@ -63,22 +67,23 @@ class Command:
         return {word.split(":=")[0] for word in self.words if ":=" in word}
 
 
-def commands_of(readme):
-    """All commands, without the comments behind them."""
-    commands, in_block = [], False
+def commands_of(page):
+    """All commands of a page, without the comments behind them; what is no program of a user's is none."""
+    readme = (CHECKOUT / page).read_text(encoding="utf-8")
+    commands, in_block, of_shell = [], False, False
     for number, line in enumerate(readme.splitlines(), start=1):
         if line.startswith("```"):
             in_block = not in_block
-        elif in_block:
-            commands.append(Command(number, line.split("  #")[0].strip()))
+            of_shell = line == "```"  # else it is another language's
+        elif in_block and of_shell:
+            commands.append(Command(page, number, line.split("  #")[0].strip()))
     blanked = re.sub(r"(?s)```.*?```", lambda block: "\n" * block[0].count("\n"), readme)
     for match in re.finditer(r"`((?:rosrun|roslaunch)\s[^`]+)`", blanked):
-        commands.append(Command(blanked.count("\n", 0, match.start()) + 1, " ".join(match[1].split())))
+        commands.append(Command(page, blanked.count("\n", 0, match.start()) + 1, " ".join(match[1].split())))
     return sorted(commands, key=lambda command: command.line_number)
 
 
-README = (CHECKOUT / "README.md").read_text(encoding="utf-8")
-COMMANDS = commands_of(README)
+PAGES = ["README.md", "docs/interfaces.md", "docs/robots.md", "docs/tools.md", "docs/results.md"]
 
 
 def free_port():
@@ -152,7 +157,7 @@ class ReadmeCommands(unittest.TestCase):
         for key, arguments in MORE_ARGUMENTS.items():
             if key in text:
                 text += " " + arguments
-        small = Command(command.line_number, text)
+        small = Command(command.page, command.line_number, text)
         if small.words[0].startswith("scripts/"):
             self.assertTrue(os.access(CHECKOUT / small.words[0], os.X_OK), command)
         elif small.words[0] == ".":
@@ -164,8 +169,10 @@ class ReadmeCommands(unittest.TestCase):
             if not self.has_mrpt and any(words in text for words in NEEDING_MRPT):
                 self.skipTest("nothing draws session maps here: MRPT is not installed")
             shell = Shell(self.directory)
-            if shell.run(f"rospack find {small.package()}").returncode != 0:
-                self.skipTest(f"{small.package()} is not installed")
+            packages = [small.package()] + [package for words, package in STARTING_NODES_OF.items() if words in text]
+            for package in packages:
+                if shell.run(f"rospack find {package}").returncode != 0:
+                    self.skipTest(f"{package} is not installed")
             (self.check_endless if small.is_endless() else self.check_ending)(shell, small)
 
     def test_image(self):
@@ -244,8 +251,10 @@ class ReadmeCommands(unittest.TestCase):
 
 def add_test(command):
     name = re.sub(r"\W+", "_", " ".join(command.words[:3])).strip("_")
-    setattr(ReadmeCommands, f"test_line_{command.line_number:04d}_{name}", lambda self: self.check(command))
+    page = re.sub(r"\W+", "_", command.page)
+    setattr(ReadmeCommands, f"test_{page}_{command.line_number:04d}_{name}", lambda self: self.check(command))
 
 
-for each in COMMANDS:
-    add_test(each)
+for each in PAGES:
+    for one in commands_of(each):
+        add_test(one)

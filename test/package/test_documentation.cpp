@@ -25,10 +25,10 @@ std::vector<std::string> cellsOf(const std::string& row) {
   return cells;
 }
 
-/// Rows of the README's table of parameters, by name.
+/// Rows of the table of parameters in the documentation, by name.
 std::map<std::string, std::vector<std::string>> parameterRows() {
   std::map<std::string, std::vector<std::string>> rows;
-  std::ifstream file(test::sourceFile("README.md"));
+  std::ifstream file(test::sourceFile("docs/interfaces.md"));
   for (std::string line; std::getline(file, line);) {
     if (line.rfind("| `~", 0) == 0) {
       const std::vector<std::string> cells = cellsOf(line);
@@ -52,7 +52,7 @@ std::string rangeCell(const parameters::Parameter& parameter) {
   return parameter.unit.empty() ? range : parameter.unit + ", " + range;
 }
 
-TEST(Readme, ListsEveryParameterWithItsDefaultAndItsRange) {
+TEST(Documentation, ListsEveryParameterWithItsDefaultAndItsRange) {
   ros_matching::MapMatcherServerOptions options;
   const auto rows = parameterRows();
   const parameters::ParameterList parameters = parametersOf(options);
