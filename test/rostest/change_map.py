@@ -8,7 +8,7 @@ from nav_msgs.srv import LoadMap, LoadMapResponse
 
 from building import RESOLUTION, reference_map, session_map
 from map_files import YAML, write_map
-from node_fixture import DEADLINE, NodeFixture, run
+from node_fixture import DEADLINE, NodeFixture, run, wait_until
 
 START = (12.3, 7.1, 0.7)  # T_reference_session
 SHIFT = (5.0, -3.0)  # of the second reference map's building [m]
@@ -23,6 +23,8 @@ class ChangeMap(NodeFixture):
         self.yaml = write_map(reference_map(shift=SHIFT), self.directory.name, "shifted")
         rospy.wait_for_service("change_map", DEADLINE)
         self.change_map = rospy.ServiceProxy("change_map", LoadMap)
+        # What is published while a latched topic connects comes twice, and the second one would replace another map again.
+        wait_until(lambda: self.reference.get_num_connections() == 1, "the node listens")
         self.reference.publish(reference_map())
         self.match(session_map(START), reference_frame="map")
 

@@ -6,6 +6,7 @@
 
 #include "map_matcher/ros/common/conversions.hpp"
 #include "map_matcher/ros/common/names.hpp"
+#include "map_matcher/ros/matching/map_url.hpp"
 #include "map_matcher/ros/matching/match_messages.hpp"
 #include "map_matcher/search/matched_cells.hpp"
 
@@ -38,7 +39,8 @@ MapMatcherServer::MapMatcherServer(ros::NodeHandle node, ros::NodeHandle private
       frame_diagnostics_(node, private_node, [this] { return contestedFrames(); }) {
   loadReferences(options);
   services_.emplace(node, private_node, options.match, serviceActions());
-  change_map_.emplace(node, [this, frame = options.reference_frame](const std::string& path) {
+  change_map_.emplace(node, [this, frame = options.reference_frame, root = options.map_root](const std::string& path) {
+    requireMapBelow(root, path);
     return reference_source_.load(path, frame);
   });
   diagnostics_.emplace(

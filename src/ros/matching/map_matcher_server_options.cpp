@@ -11,6 +11,7 @@ parameters::ParameterList parametersOf(MapMatcherServerOptions& options) {
        "YAML files of several reference maps, floors or buildings, by their frames; all of them are searched.",
        &options.reference_maps},
       {"reference_frame", "", "Frame of the map read from reference_map_file.", &options.reference_frame},
+      {"map_root", "", "Folder that change_map may load maps from; empty is any.", &options.map_root},
       {"serve_map", "",
        "Whether the reference map is served as map_server serves one: on map and map_metadata, and by static_map.",
        &options.serve_map},

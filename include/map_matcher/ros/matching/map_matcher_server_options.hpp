@@ -16,6 +16,7 @@ struct MapMatcherServerOptions {
   std::string reference_map_file;       ///< YAML file of the reference map; empty: it comes by topic or service.
   std::string reference_frame = "map";  ///< Frame of the map read from reference_map_file.
   std::map<std::string, std::string> reference_maps;  ///< YAML files of several reference maps, by their frames.
+  std::string map_root;                               ///< Folder that change_map may load maps from; empty: any.
   std::string base_frame = "base_link";               ///< Frame of the robot whose pose is sent as match_pose.
   std::string tf_mode = "reference_to_session";       ///< Which frame is the parent: see tfModeOf().
   double tf_rate = 20.0;                              ///< [Hz] Broadcasts a second.
