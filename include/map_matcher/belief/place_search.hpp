@@ -26,8 +26,8 @@ struct Plan {
 };
 
 /// Searches the plan's place, and if that does not hold any more, or there is none, all of `maps`, one after the other,
-/// the most likely one first, and the next one only for what can still matter beside the best place so far. Ends SearchOptions::exact_deadline after
-/// the reference maps are prepared. Throws what search::MapMatcher::match throws.
+/// the most likely one first, and the next one only for what can still matter beside the best place so far. Ends
+/// SearchOptions::exact_deadline after the reference maps are prepared. Throws what search::MapMatcher::match throws.
 Findings findPlaces(const search::MapMatcher& matcher, const ReferenceMaps& maps, const grid::OccupancyGrid& session,
                     const MatchOptions& options, const Plan& plan = {}, const search::Constraints& constraints = {},
                     const work::StopToken& stop = {});
