@@ -241,7 +241,7 @@ belief::Decision MapMatcherServer::conclude(const SessionMap& session, const Ref
   record_.robot_unknown = robot.reason;
   const auto place =
       robot.T_session_base ? std::optional<Eigen::Vector2d>(robot.T_session_base->translation()) : std::nullopt;
-  const belief::Decision decision = tracker_.conclude(findings, searched(references), session.grid, place);
+  belief::Decision decision = tracker_.conclude(findings, searched(references), session.grid, place);
   switch (decision.broadcast) {
     case belief::Broadcast::kReplace:
       announce(session, references.at(decision.answer.map), decision);
