@@ -12,7 +12,7 @@ RUN scripts/install_dependencies build && rm -rf /var/lib/apt/lists/*
 
 # Only what was installed stays.
 COPY . .
-RUN scripts/build release && find build/release -mindepth 1 -maxdepth 1 ! -name install -exec rm -rf {} +
+RUN scripts/build release && find build/release -mindepth 1 -maxdepth 1 ! -name .install -exec rm -rf {} +
 
 # "--": else the setup file would take the command for its own arguments.
 ENTRYPOINT ["bash", "-c", ". /map_matcher/build/release/.install/setup.bash -- && exec \"$@\"", "--"]
