@@ -1,7 +1,5 @@
 #include "map_matcher/belief/prior.hpp"
 
-#include <Eigen/Cholesky>
-
 #include "map_matcher/grid/pose_covariance.hpp"
 #include "pose_text.hpp"
 
@@ -25,11 +23,8 @@ bool agrees(const Prior& prior, const KnownPlace& place) {
   if (place.map != prior.place.map) {
     return false;
   }
-  const grid::Rigid2& supposed = prior.place.T_reference_session;
-  const grid::Rigid2& T = place.T_reference_session;
-  const Eigen::Vector3d difference(T.x - supposed.x, T.y - supposed.y, grid::normalizeAngle(T.yaw - supposed.yaw));
   const Eigen::Matrix3d covariance = prior.covariance + kLeastDeviation * kLeastDeviation * Eigen::Matrix3d::Identity();
-  return difference.dot(covariance.ldlt().solve(difference)) <= kDeviations;
+  return grid::squaredDeviations(place.T_reference_session, prior.place.T_reference_session, covariance) <= kDeviations;
 }
 
 Evidence priorEvidence(const Prior& prior, const KnownPlace& place) {

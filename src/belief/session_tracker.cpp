@@ -1,9 +1,9 @@
 #include "map_matcher/belief/session_tracker.hpp"
 
-#include <Eigen/Cholesky>
 #include <utility>
 
 #include "map_matcher/belief/agreement.hpp"
+#include "map_matcher/grid/pose_covariance.hpp"
 
 namespace map_matcher::belief {
 namespace {
@@ -129,10 +129,8 @@ void SessionTracker::hold(Answer& answer) const {
     return;
   }
   const grid::Rigid2& held = alignment_->T_reference_session;
-  const grid::Rigid2& found = answer.search.T_reference_session;
-  const Eigen::Vector3d difference(found.x - held.x, found.y - held.y, grid::normalizeAngle(found.yaw - held.yaw));
   const Eigen::Matrix3d covariance = answer.search.covariance + kLeastVariance * Eigen::Matrix3d::Identity();
-  if (difference.dot(covariance.ldlt().solve(difference)) <= kDeadBand) {
+  if (grid::squaredDeviations(answer.search.T_reference_session, held, covariance) <= kDeadBand) {
     answer.search.T_reference_session = held;
   }
 }

@@ -16,6 +16,11 @@ Eigen::Matrix3d covarianceOfProduct(const Rigid2& T_a_b, const Eigen::Matrix3d& 
   return jacobian * covariance * jacobian.transpose();
 }
 
+double squaredDeviations(const Rigid2& a, const Rigid2& b, const Eigen::Matrix3d& covariance) {
+  const Eigen::Vector3d difference(a.x - b.x, a.y - b.y, normalizeAngle(a.yaw - b.yaw));
+  return difference.dot(covariance.ldlt().solve(difference));
+}
+
 std::string problemWithCovariance(const Eigen::Matrix3d& covariance) {
   constexpr std::array<const char*, 3> kNames{"x", "y", "yaw"};
   if (!covariance.allFinite()) {

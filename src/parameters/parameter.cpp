@@ -8,8 +8,6 @@
 namespace map_matcher::parameters {
 namespace {
 
-using TextsByName = std::map<std::string, std::string>;
-
 bool numberInRange(double value, const Parameter& parameter) {
   return std::isfinite(value) && value >= parameter.min && value <= parameter.max;
 }

@@ -27,6 +27,38 @@ SearchResult stoppedBefore() {
   return stopped;
 }
 
+void requireExact(const SearchOptions& options, const char* what) {
+  if (options.search != "exact") {
+    throw std::invalid_argument("search is " + options.search + ", expected exact " + what);
+  }
+}
+
+/// What `search` finds of the session in the prepared map, with its time.
+template <typename Search>
+SearchResult timed(const Reference::Prepared& prepared, const grid::OccupancyGrid& session,
+                   const SearchOptions& options, const Search& search) {
+  if (!prepared.map) {
+    return stoppedBefore();
+  }
+  work::Stopwatch watch;
+  const SearchSession search_session = searchSession(session, prepared.map->resolution(), options);
+  SearchResult result = search(*prepared.map, search_session);
+  result.search_time = watch.lap();
+  result.reference_time = prepared.time;
+  return result;
+}
+
+/// Sections 3.1 and 3.2 of the report: the coarse stage everywhere, then the fine one around its answer.
+SearchResult begin(const SearchReference& map, const SearchSession& session, SearchOptions options,
+                   const Demand& demand, const Constraints& constraints, const work::Deadline& deadline) {
+  std::optional<std::int64_t> most_expansions;
+  if (options.search == "exact") {  // the two stages find where the exact search begins, in a crowd, too
+    options.coarse.acceptance_ratio = std::min(options.coarse.acceptance_ratio, demand.min_hit_ratio);
+    most_expansions = kMostExpansions;
+  }
+  return twoStageSearch(map, session, options, constraints, deadline, most_expansions);
+}
+
 }  // namespace
 
 MapMatcher::MapMatcher(const SearchOptions& options) : options_(options) {
@@ -47,83 +79,42 @@ SearchResult MapMatcher::match(const Reference& reference, const grid::Occupancy
 SearchResult MapMatcher::search(const Reference::Prepared& prepared, const grid::OccupancyGrid& session,
                                 const Demand& demand, const Constraints& constraints,
                                 const work::Deadline& deadline) const {
-  if (!prepared.map) {
-    return stoppedBefore();
-  }
-  work::Stopwatch watch;
-  const SearchSession search_session = searchSession(session, prepared.map->resolution(), options_);
-  SearchResult result = begin(prepared, search_session, demand, constraints, deadline);
-  if (options_.search == "exact") {
-    result = certify(result, *prepared.map, search_session, options_, demand, constraints, deadline);
-  }
-  result.search_time = watch.lap();
-  result.reference_time = prepared.time;
-  return result;
-}
-
-/// Sections 3.1 and 3.2 of the report: the coarse stage everywhere, then the fine one around its answer.
-SearchResult MapMatcher::begin(const Reference::Prepared& prepared, const SearchSession& session, const Demand& demand,
-                               const Constraints& constraints, const work::Deadline& deadline) const {
-  SearchOptions options = options_;
-  std::optional<std::int64_t> most_expansions;
-  if (options.search == "exact") {  // the two stages find where the exact search begins, in a crowd, too
-    options.coarse.acceptance_ratio = std::min(options.coarse.acceptance_ratio, demand.min_hit_ratio);
-    most_expansions = kMostExpansions;
-  }
-  return twoStageSearch(*prepared.map, session, options, constraints, deadline, most_expansions);
+  return timed(prepared, session, options_, [&](const SearchReference& map, const SearchSession& searched) {
+    const SearchResult start = begin(map, searched, options_, demand, constraints, deadline);
+    return options_.search == "exact" ? certify(start, map, searched, options_, demand, constraints, deadline) : start;
+  });
 }
 
 SearchResult MapMatcher::glance(const Reference& reference, const grid::OccupancyGrid& session, const Demand& demand,
                                 const Constraints& constraints, const work::Deadline& deadline) const {
-  const Reference::Prepared prepared = reference.at(session.resolution(), deadline.stop());
-  if (!prepared.map) {
-    return stoppedBefore();
-  }
-  work::Stopwatch watch;
-  const SearchSession search_session = searchSession(session, prepared.map->resolution(), options_);
-  SearchResult result = begin(prepared, search_session, demand, constraints, deadline);
-  result.search_time = watch.lap();
-  result.reference_time = prepared.time;
-  return result;
+  return timed(reference.at(session.resolution(), deadline.stop()), session, options_,
+               [&](const SearchReference& map, const SearchSession& searched) {
+                 return begin(map, searched, options_, demand, constraints, deadline);
+               });
 }
 
 SearchResult MapMatcher::matchFrom(const SearchResult& start, const Reference& reference,
                                    const grid::OccupancyGrid& session, const Demand& demand,
                                    const Constraints& constraints, const work::Deadline& deadline) const {
-  requireExact("to search on from a glance");
-  const Reference::Prepared prepared = reference.at(session.resolution(), deadline.stop());
-  if (!prepared.map) {
-    return stoppedBefore();
-  }
-  work::Stopwatch watch;
-  const SearchSession search_session = searchSession(session, prepared.map->resolution(), options_);
-  SearchResult result = certify(start, *prepared.map, search_session, options_, demand, constraints, deadline);
-  result.search_time = start.search_time + watch.lap();
-  result.reference_time = start.reference_time + prepared.time;
+  requireExact(options_, "to search on from a glance");
+  SearchResult result = timed(reference.at(session.resolution(), deadline.stop()), session, options_,
+                              [&](const SearchReference& map, const SearchSession& searched) {
+                                return certify(start, map, searched, options_, demand, constraints, deadline);
+                              });
+  result.search_time += start.search_time;
+  result.reference_time += start.reference_time;
   return result;
-}
-
-void MapMatcher::requireExact(const char* what) const {
-  if (options_.search != "exact") {
-    throw std::invalid_argument("search is " + options_.search + ", expected exact " + what);
-  }
 }
 
 SearchResult MapMatcher::follow(const Reference& reference, const grid::OccupancyGrid& session,
                                 const grid::Rigid2& T_reference_session, const Demand& demand,
                                 const work::StopToken& stop) const {
-  requireExact("to follow a place");
-  const Reference::Prepared prepared = reference.at(session.resolution(), stop);
-  if (!prepared.map) {
-    return stoppedBefore();
-  }
-  work::Stopwatch watch;
-  const SearchSession search_session = searchSession(session, prepared.map->resolution(), options_);
-  const work::Deadline deadline(options_.exact_deadline, stop);
-  SearchResult result = followPlace(*prepared.map, search_session, options_, T_reference_session, demand, deadline);
-  result.search_time = watch.lap();
-  result.reference_time = prepared.time;
-  return result;
+  requireExact(options_, "to follow a place");
+  return timed(reference.at(session.resolution(), stop), session, options_,
+               [&](const SearchReference& map, const SearchSession& searched) {
+                 const work::Deadline deadline(options_.exact_deadline, stop);
+                 return followPlace(map, searched, options_, T_reference_session, demand, deadline);
+               });
 }
 
 }  // namespace map_matcher::search

@@ -7,7 +7,8 @@ import rospy
 import tf2_ros
 from geometry_msgs.msg import PoseWithCovarianceStamped
 
-from building import FREE, OCCUPIED, grid, pose, session_map
+from building import FREE, OCCUPIED, grid, session_map
+from initial_poses import initial_pose
 from map_matcher.msg import MapMatch
 from node_fixture import NodeFixture, run, stamped_transform, wait_until
 
@@ -15,7 +16,6 @@ SPACING = 4.0  # of the niches on both sides [m]
 LENGTH = 40.0  # [m]
 START = (21.3, 4.0, 0.2)  # T_reference_session, in the middle
 CORNER = (34.3, 4.0, 0.2)  # within sight of the room at the end
-RVIZ_COVARIANCE = [0.25] + 6 * [0.0] + [0.25] + 27 * [0.0] + [0.06853892326654787]
 
 
 def is_wall(x, y):
@@ -51,10 +51,7 @@ class Corridor(NodeFixture):
 
     def suppose(self, x):
         """What rviz's tool says of the robot, which stands where the session began."""
-        message = PoseWithCovarianceStamped()
-        message.header.frame_id, message.header.stamp = "map", rospy.Time.now()
-        message.pose.pose = pose(x, START[1], START[2])
-        message.pose.covariance = RVIZ_COVARIANCE
+        message = initial_pose("map", x, START[1], START[2])
         self.broadcaster.sendTransform(
             stamped_transform("session_map", "base_link", (0.0, 0.0, 0.0), message.header.stamp))
         self.map_match.clear()

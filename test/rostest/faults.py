@@ -11,13 +11,13 @@ import time
 import xmlrpc.client
 
 import rosgraph
-import roslib.packages
 import rospy
 from nav_msgs.msg import OccupancyGrid
 
 from building import FREE, OCCUPIED, UNKNOWN, grid, reference_map, session_map
 from map_matcher.msg import MapMatch
 from node_fixture import DEADLINE, NodeFixture, run, wait_until
+from node_runs import node_command
 
 START = (12.3, 7.1, 0.7)  # T_reference_session
 END_WITHIN = 1.0  # [s] after a signal
@@ -35,9 +35,7 @@ def of_another_building():
 
 class Faults(NodeFixture):
     def start(self, **parameters):
-        program = roslib.packages.find_node("map_matcher", "map_matcher_node")[0]
-        self.node = subprocess.Popen([program, "__name:=map_matcher"] +
-                                     ["_%s:=%s" % item for item in parameters.items()])
+        self.node = subprocess.Popen(node_command("map_matcher_node", "map_matcher", **parameters))
         self.addCleanup(self.node.wait)
         self.addCleanup(self.node.kill)
         wait_until(lambda: self.session.get_num_connections() == 1 and self.reference.get_num_connections() == 1,

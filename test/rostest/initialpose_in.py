@@ -4,19 +4,15 @@ import geometry_msgs.msg
 import rospy
 import tf2_ros
 
-from building import pose, reference_map, session_map
+from building import reference_map, session_map
+from initial_poses import RVIZ_COVARIANCE, initial_pose
 from node_fixture import Listener, NodeFixture, run, stamped_transform, wait_until
 
 START = (12.3, 7.1, 0.7)  # T_reference_session
-RVIZ_COVARIANCE = [0.25] + 6 * [0.0] + [0.25] + 27 * [0.0] + [0.06853892326654787]
 
 
 def initialpose(frame="map", x=12.0, y=7.0, covariance=None):
-    message = geometry_msgs.msg.PoseWithCovarianceStamped()
-    message.header.frame_id, message.header.stamp = frame, rospy.Time.now()
-    message.pose.pose = pose(x, y, 0.7)
-    message.pose.covariance = RVIZ_COVARIANCE if covariance is None else covariance
-    return message
+    return initial_pose(frame, x, y, 0.7, covariance)
 
 
 class InitialposeIn(NodeFixture):

@@ -10,13 +10,22 @@ DEADLINE = 20.0  # [s]
 BAD_INPUT = 2  # exit code
 
 
+def node_command(executable, name, **parameters):
+    """What starts a node of this package under a name, with private parameters."""
+    return [roslib.packages.find_node("map_matcher", executable)[0], "__name:=" + name,
+            *("_%s:=%s" % item for item in parameters.items())]
+
+
+def run_tool(name, *arguments):
+    """Runs a program of this package to its end, which has to be a good one."""
+    subprocess.run([roslib.packages.find_node("map_matcher", name)[0], *arguments], check=True)
+
+
 def run_node(executable, remappings=None, **parameters):
     """Starts a node of this package with remapped names and private parameters, waits until it ends, and returns its
     exit code and output."""
-    node = roslib.packages.find_node("map_matcher", executable)[0]
     arguments = ["%s:=%s" % item for item in (remappings or {}).items()]
-    arguments += ["_%s:=%s" % item for item in parameters.items()]
-    done = subprocess.run([node, "__name:=under_test", *arguments], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+    done = subprocess.run([*node_command(executable, "under_test", **parameters), *arguments], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                           timeout=DEADLINE, check=False)
     rospy.delete_param("/under_test")
     return done.returncode, done.stdout.decode()

@@ -3,25 +3,19 @@
 is written down, none is in a wrong place, and they are drawn."""
 import csv
 import os
-import subprocess
 import tempfile
 import unittest
 
-import roslib.packages
 import rospy
 import rostest
 
-from node_runs import run_launch
+from node_runs import run_launch, run_tool
 
 DRIVE = ["--seed", "3", "--duration", "45", "--rate", "10", "--beams", "271", "--robot", "pepper", "--people", "4"]
 PERIOD, PATIENCE = 14.0, 10.0  # [s]
 REPLAY_RATE = 2.0  # times faster than driven
 REPLAY_DEADLINE = 60.0  # [s]
 LARGEST_ERROR = 0.5  # [m]
-
-
-def run_tool(name, *arguments):
-    subprocess.run([roslib.packages.find_node("map_matcher", name)[0], *arguments], check=True)
 
 
 class OpenLabReplay(unittest.TestCase):

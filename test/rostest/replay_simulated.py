@@ -1,19 +1,17 @@
 #!/usr/bin/env python3
 """A simulated drive, replayed as replay.launch does it: the robot's pose through tf agrees with the ground truth."""
 import os
-import subprocess
 import tempfile
 import unittest
 
 import geometry_msgs.msg
-import roslib.packages
 import rospy
 import rostest
 import tf2_ros
 
 from map_matcher.msg import MapMatch
 from node_fixture import Listener
-from node_runs import run_launch
+from node_runs import run_launch, run_tool
 from pose_errors import position_errors
 
 DRIVE = ["--seed", "3", "--duration", "45", "--rate", "10", "--beams", "271"]
@@ -22,10 +20,6 @@ REPLAY_DEADLINE = 60.0  # [s]
 MIN_COMPARED = 0.7  # share of the ground truth that there is to be a pose for
 MEAN_ERROR = 0.12  # [m]
 WORST_ERROR = 0.4  # [m]
-
-
-def run_tool(name, *arguments):
-    subprocess.run([roslib.packages.find_node("map_matcher", name)[0], *arguments], check=True)
 
 
 class ReplaySimulated(unittest.TestCase):

@@ -5,12 +5,12 @@ import signal
 import subprocess
 import tempfile
 
-import roslib.packages
 import rospy
 import tf2_ros
 
 from building import reference_map, session_map, transformed
 from node_fixture import DEADLINE, NodeFixture, run, stamped_transform, wait_until
+from node_runs import node_command
 
 START = (12.3, 7.1, 0.7)  # T_reference_session
 ROBOT = (2.0, 1.0, 0.3)  # in the session map
@@ -31,8 +31,7 @@ class SavedFix(NodeFixture):
         """The node, which saves its fix. What it says at its start is in its output: nobody listens to /rosout so soon."""
         self.output = open(os.path.join(self.directory.name, "output.txt"), "w+", encoding="utf-8")
         self.addCleanup(self.output.close)
-        program = roslib.packages.find_node("map_matcher", "map_matcher_node")[0]
-        node = subprocess.Popen([program, "__name:=map_matcher", "_fix_file:=" + self.path],
+        node = subprocess.Popen(node_command("map_matcher_node", "map_matcher", fix_file=self.path),
                                 stdout=self.output, stderr=subprocess.STDOUT,
                                 env=dict(os.environ, ROSCONSOLE_STDOUT_LINE_BUFFERED="1"))
         self.addCleanup(node.kill)

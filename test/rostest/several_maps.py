@@ -7,20 +7,19 @@ import subprocess
 import tempfile
 
 import geometry_msgs.msg
-import roslib.packages
 import rospy
 import tf2_ros
 from diagnostic_msgs.msg import DiagnosticStatus
 from nav_msgs.msg import OccupancyGrid
 
-from building import is_wall_mirrored, pose, reference_map, session_map
+from building import is_wall_mirrored, reference_map, session_map
+from initial_poses import initial_pose
 from map_files import write_map
 from map_matcher.msg import MapMatch
 from node_fixture import Listener, NodeFixture, run, stamped_transform, wait_for_diagnostic, wait_until
-from node_runs import BAD_INPUT, run_node
+from node_runs import BAD_INPUT, node_command, run_node
 
 START = (12.3, 7.1, 0.7)  # T_reference_session in either building
-RVIZ_COVARIANCE = [0.25] + 6 * [0.0] + [0.25] + 27 * [0.0] + [0.06853892326654787]
 
 
 class SeveralMaps(NodeFixture):
@@ -35,8 +34,7 @@ class SeveralMaps(NodeFixture):
 
     def start(self, files):
         rospy.set_param("/map_matcher/reference_maps", files)
-        program = roslib.packages.find_node("map_matcher", "map_matcher_node")[0]
-        node = subprocess.Popen([program, "__name:=map_matcher", "_serve_map:=true"], env=dict(os.environ))
+        node = subprocess.Popen(node_command("map_matcher_node", "map_matcher", serve_map="true"))
         self.addCleanup(node.wait)
         self.addCleanup(node.terminate)
         self.served = Listener("map", OccupancyGrid)
@@ -76,10 +74,7 @@ class SeveralMaps(NodeFixture):
         self.assertTrue(math.isnan(alike.x))
         self.assert_no_tf("session_map")
 
-        message = geometry_msgs.msg.PoseWithCovarianceStamped()
-        message.header.frame_id, message.header.stamp = "twin", rospy.Time.now()
-        message.pose.pose = pose(12.0, 7.0, 0.7)
-        message.pose.covariance = RVIZ_COVARIANCE
+        message = initial_pose("twin", 12.0, 7.0, 0.7)
         broadcaster.sendTransform(stamped_transform("session_map", "base_link", (0.0, 0.0, 0.0), message.header.stamp))
         initialpose.publish(message)
 

@@ -11,13 +11,14 @@
 
 namespace map_matcher::parameters {
 
+using TextsByName = std::map<std::string, std::string>;
+
 /// A named option. It points at a field of an options struct, which must outlive it.
 struct Parameter {
   std::string name;         ///< under_scored, as in config/*.yaml.
   std::string unit;         ///< "m", "rad", "s", "cells", "percent", "Hz" or "" when it has none.
   std::string description;  ///< One sentence: its effect.
-  std::variant<bool*, int*, double*, std::string*, std::vector<std::string>*, std::map<std::string, std::string>*>
-      value;
+  std::variant<bool*, int*, double*, std::string*, std::vector<std::string>*, TextsByName*> value;
   double min = -std::numeric_limits<double>::infinity();  ///< Smallest allowed number, inclusive.
   double max = std::numeric_limits<double>::infinity();   ///< Largest allowed number, inclusive.
   std::vector<std::string> choices = {};                  ///< Allowed strings; empty: any.

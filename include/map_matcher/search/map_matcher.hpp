@@ -13,8 +13,6 @@
 
 namespace map_matcher::search {
 
-struct SearchSession;
-
 /// Finds how session maps lie in reference maps (report section 3). Never changes: several threads may search with it,
 /// in one reference map or in several.
 class MapMatcher {
@@ -57,9 +55,6 @@ class MapMatcher {
  private:
   SearchResult search(const Reference::Prepared& prepared, const grid::OccupancyGrid& session, const Demand& demand,
                       const Constraints& constraints, const work::Deadline& deadline) const;
-  SearchResult begin(const Reference::Prepared& prepared, const SearchSession& session, const Demand& demand,
-                     const Constraints& constraints, const work::Deadline& deadline) const;
-  void requireExact(const char* what) const;
 
   SearchOptions options_;
 };

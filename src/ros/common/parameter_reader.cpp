@@ -57,11 +57,11 @@ std::optional<std::vector<std::string>> listOfTexts(XmlRpcValue& value) {
   return texts;
 }
 
-std::optional<std::map<std::string, std::string>> textsByName(XmlRpcValue& value) {
+std::optional<parameters::TextsByName> textsByName(XmlRpcValue& value) {
   if (value.getType() != XmlRpcValue::TypeStruct) {
     return std::nullopt;
   }
-  std::map<std::string, std::string> texts;
+  parameters::TextsByName texts;
   for (auto& [name, text] : value) {
     if (text.getType() != XmlRpcValue::TypeString) {
       return std::nullopt;
@@ -82,7 +82,7 @@ std::optional<T> as(const XmlRpcValue& value) {
     return type == XmlRpcValue::TypeString ? std::optional<T>(static_cast<std::string&>(copy)) : std::nullopt;
   } else if constexpr (std::is_same_v<T, std::vector<std::string>>) {
     return listOfTexts(copy);
-  } else if constexpr (std::is_same_v<T, std::map<std::string, std::string>>) {
+  } else if constexpr (std::is_same_v<T, parameters::TextsByName>) {
     return textsByName(copy);
   } else {
     if (type == XmlRpcValue::TypeInt) {
@@ -98,7 +98,7 @@ std::optional<T> as(const XmlRpcValue& value) {
 const char* typeText(const parameters::Parameter& parameter) {
   if (std::holds_alternative<bool*>(parameter.value) ||
       std::holds_alternative<std::vector<std::string>*>(parameter.value) ||
-      std::holds_alternative<std::map<std::string, std::string>*>(parameter.value)) {
+      std::holds_alternative<parameters::TextsByName*>(parameter.value)) {
     return "";  // its range says it
   }
   if (std::holds_alternative<int*>(parameter.value)) {

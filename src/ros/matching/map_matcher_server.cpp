@@ -196,8 +196,7 @@ std::optional<std::future<MapMatch>> MapMatcherServer::matchSession() {
 }
 
 void MapMatcherServer::submitMatch(const Answer& answer) {
-  const auto finish = [this, session = session_, answer](MapMatch& report, const ReferenceMapPtr& reference) {
-    fillFrames(report, reference, session->frame, session->stamp);
+  const auto finish = [this, answer](MapMatch& report) {
     tellReport(report);
     if (answer) {
       answer->set_value(report);
@@ -218,33 +217,38 @@ void MapMatcherServer::submitMatch(const Answer& answer) {
         }
         if (refused) {
           const auto equal = findFrame(references, session->frame);
-          finish(*refused, equal == references.end() ? onlyOne(references) : *equal);
+          fillFrames(*refused, equal == references.end() ? onlyOne(references) : *equal, session->frame,
+                     session->stamp);
+          finish(*refused);
           return;
         }
-        const belief::Decision decision = conclude(*session, references, findings);
-        MapMatch report = toMessage(decision);
-        finish(report, referenceOf(decision.answer, references));
+        MapMatch report = conclude(*session, references, findings);
+        finish(report);
       },
-      [this, finish, references = references_](const std::string& what, const work::StopToken& stop) {
+      [this, finish, session = session_, references = references_](const std::string& what,
+                                                                   const work::StopToken& stop) {
         const std::lock_guard<std::mutex> lock(mutex_);
         if (!stop.stopRequested()) {
           MapMatch report = refusal(MapMatch::FAILED, "the search failed: " + what);
-          finish(report, onlyOne(references));
+          fillFrames(report, onlyOne(references), session->frame, session->stamp);
+          finish(report);
         }
       });
 }
 
 /// What is believed after a search, and broadcast.
-belief::Decision MapMatcherServer::conclude(const SessionMap& session, const ReferenceMapList& references,
-                                            const belief::Findings& findings) {
+MapMatch MapMatcherServer::conclude(const SessionMap& session, const ReferenceMapList& references,
+                                    const belief::Findings& findings) {
   const RobotPose robot = robot_.atOrShortlyBefore(session.frame, session.stamp);
   record_.robot_unknown = robot.reason;
   const auto place =
       robot.T_session_base ? std::optional<Eigen::Vector2d>(robot.T_session_base->translation()) : std::nullopt;
-  belief::Decision decision = tracker_.conclude(findings, searched(references), session.grid, place);
+  const belief::Decision decision = tracker_.conclude(findings, searched(references), session.grid, place);
+  MapMatch report = toMessage(decision);
+  fillFrames(report, referenceOf(decision.answer, references), session.frame, session.stamp);
   switch (decision.broadcast) {
     case belief::Broadcast::kReplace:
-      announce(session, references.at(decision.answer.map), decision);
+      announce(session, references.at(decision.answer.map), decision.answer.search, report);
       break;
     case belief::Broadcast::kWithdraw:
       broadcaster_.clear();
@@ -254,16 +258,13 @@ belief::Decision MapMatcherServer::conclude(const SessionMap& session, const Ref
     case belief::Broadcast::kKeep:
       break;
   }
-  return decision;
+  return report;
 }
 
 void MapMatcherServer::announce(const SessionMap& session, const ReferenceMapPtr& reference,
-                                const belief::Decision& decision) {
-  const search::SearchResult& result = decision.answer.search;
+                                const search::SearchResult& result, const MapMatch& report) {
   map_serving_.serve(reference);
   broadcaster_.set({reference->frame, session.frame, result.T_reference_session});
-  MapMatch report = toMessage(decision);
-  fillFrames(report, reference, session.frame, session.stamp);
   pose_publisher_.request(report, ros::Time::now());
   announcer_.set({reference, session.frame, session.stamp, result.T_reference_session, result.covariance});
   overlay_publisher_.publish(

@@ -65,9 +65,9 @@ class MapMatcherServer {
   void forget(const std::string& service);
   std::optional<std::future<MapMatch>> matchSession();
   void submitMatch(const Answer& answer);
-  belief::Decision conclude(const SessionMap& session, const ReferenceMapList& references,
-                            const belief::Findings& findings);
-  void announce(const SessionMap& session, const ReferenceMapPtr& reference, const belief::Decision& decision);
+  MapMatch conclude(const SessionMap& session, const ReferenceMapList& references, const belief::Findings& findings);
+  void announce(const SessionMap& session, const ReferenceMapPtr& reference, const search::SearchResult& result,
+                const MapMatch& report);
   void tellReport(MapMatch& report);
   void tell(const MapMatch& report);
   void complete(MapMatch& report) const;
