@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs what README.md and docs/ tell a user to type, as it stands there, on a small simulated drive: a test case a command.
+"""Runs what README.md and docs/ tell a user to type, as it stands there, on a small simulated drive: a test each.
 
 The commands run in a shell that has sourced what README.md says, of the build that MAP_MATCHER_BUILD names (a directory
 that scripts/build has filled); without MAP_MATCHER_BUILD they run in the environment as it is.

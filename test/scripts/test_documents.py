@@ -90,6 +90,14 @@ class Pages(unittest.TestCase):
                 with self.subTest(f"{name_of(page)}: {path}"):
                     self.assertTrue((CHECKOUT / path).exists())
 
+    def test_each_function_that_is_named_is_there(self):
+        sources = "".join(path.read_text(encoding="utf-8") for folder in ("include", "src")
+                          for path in (CHECKOUT / folder).rglob("*.[ch]pp"))
+        for page in documents():
+            for name in re.findall(r"`(?:\w+::)*(\w+)\(\)`", page.read_text(encoding="utf-8")):
+                with self.subTest(f"{name_of(page)}: {name}()"):
+                    self.assertRegex(sources, rf"\b{name}\(")
+
     def test_no_page_knows_the_machine_that_it_was_written_on(self):
         for page in documents():
             with self.subTest(name_of(page)):
