@@ -77,7 +77,14 @@ void scoreTile(benchmark::State& state) {
   }
   state.SetItemsProcessed(state.iterations() * 1000 * search::kTileColumns * search::kTileRows);
 }
-BENCHMARK(scoreTile)->Name("BM_ScoreTile")->ArgsProduct({{0, 1, 2}, {0, 2, 4}})->ArgNames({"variant", "level"});
+
+void registerKernels() {
+  for (const int variant : {0, 1, 2}) {
+    for (const int level : {0, 2, 4}) {
+      benchmark::RegisterBenchmark("BM_ScoreTile", scoreTile)->Args({variant, level})->ArgNames({"variant", "level"});
+    }
+  }
+}
 
 /// The reference of a recorded session lies in the case or in its set.
 fs::path referenceOf(const fs::path& recorded) {
@@ -157,6 +164,7 @@ void registerRecordedSessions(const fs::path& data) {
 }  // namespace map_matcher
 
 int main(int argc, char** argv) {
+  map_matcher::registerKernels();
   map_matcher::registerAll("synthetic_office", map_matcher::syntheticOffice(13000));
   const char* data = std::getenv("MAP_MATCHER_DATA");
   if (data != nullptr) {

@@ -1,6 +1,8 @@
 #include "map_matcher/belief/place_search.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <numeric>
 
 #include "map_matcher/belief/agreement.hpp"
 
@@ -17,18 +19,19 @@ class ExactSearch {
         seen_(session, options.search.session_map_cell_offset, options.search.occupied_threshold) {}
 
   std::optional<Findings> follow(const search::Reference& reference, const Plan& plan, const work::StopToken& stop) {
-    const search::SearchResult result = matcher_.follow(reference, session_, *plan.follow, demandOf(options_), stop);
+    const search::SearchResult result =
+        matcher_.follow(reference, session_, plan.follow->T_reference_session, demandOf(options_), stop);
     if (!result.found || result.places.empty()) {
       return std::nullopt;
     }
-    const Candidate candidate = candidateOf(reference, plan.map, result.places.front());
-    if (!isAt(candidate, result.session_centre, {*plan.follow, plan.map}, options_.search) ||
+    const Candidate candidate = candidateOf(reference, plan.follow->map, result.places.front());
+    if (!isAt(candidate, result.session_centre, *plan.follow, options_.search) ||
         candidate.worth < plan.worth - kFollowedLoss) {
       return std::nullopt;
     }
     Findings findings;
     findings.search = result;
-    findings.map = plan.map;
+    findings.map = plan.follow->map;
     findings.candidates = {candidate};
     findings.followed = true;
     return findings;
@@ -36,16 +39,49 @@ class ExactSearch {
 
   Findings searchAll(const ReferenceMaps& maps, const search::Constraints& constraints,
                      const work::Deadline& deadline) {
-    for (const search::Reference* map : maps) {
-      search(*map, constraints, deadline);
+    results_.resize(maps.size());
+    if (maps.size() == 1) {
+      search(*maps.front(), 0, std::nullopt, constraints, deadline);
+    } else {
+      searchSeveral(maps, constraints, deadline);
     }
     return rank(results_, candidates_, demandOf(options_).margin);
   }
 
  private:
-  void search(const search::Reference& reference, const search::Constraints& constraints,
-              const work::Deadline& deadline) {
-    const std::size_t map = results_.size();
+  /// In the order of what a glance finds in them: once the right one is searched, the others are ruled out by what
+  /// would have to be as good.
+  void searchSeveral(const ReferenceMaps& maps, const search::Constraints& constraints,
+                     const work::Deadline& deadline) {
+    const double easily = std::max(options_.search.coarse.acceptance_ratio, options_.belief.min_hit_ratio);
+    std::vector<search::SearchResult> glances = glanceAt(maps, easily, constraints, deadline);
+    if (std::none_of(glances.begin(), glances.end(), [](const search::SearchResult& one) { return one.found; })) {
+      glances = glanceAt(maps, (easily + options_.belief.min_hit_ratio) / 2.0, constraints, deadline);
+    }
+    std::vector<std::size_t> numbers(maps.size());
+    std::iota(numbers.begin(), numbers.end(), 0);
+    std::stable_sort(numbers.begin(), numbers.end(),
+                     [&glances](std::size_t a, std::size_t b) { return glances[a].ratio > glances[b].ratio; });
+    for (const std::size_t map : numbers) {
+      search(*maps[map], map, glances[map], constraints, deadline);
+    }
+  }
+
+  /// What a glance finds in each map with at least this share of hits; the smaller it is, the longer that takes.
+  std::vector<search::SearchResult> glanceAt(const ReferenceMaps& maps, double hit_ratio,
+                                             const search::Constraints& constraints,
+                                             const work::Deadline& deadline) const {
+    search::Demand demand = demandOf(options_);
+    demand.min_hit_ratio = hit_ratio;
+    std::vector<search::SearchResult> glances;
+    for (const search::Reference* map : maps) {
+      glances.push_back(matcher_.glance(*map, session_, demand, constraints, deadline));
+    }
+    return glances;
+  }
+
+  void search(const search::Reference& reference, std::size_t map, const std::optional<search::SearchResult>& glance,
+              const search::Constraints& constraints, const work::Deadline& deadline) {
     search::Demand demand = demandOf(options_);
     demand.min_hit_ratio = std::max(demand.min_hit_ratio, best_worth_ - demand.margin);
     std::vector<Candidate> judged;  // more than there are places: where the search begins is judged as well
@@ -53,8 +89,9 @@ class ExactSearch {
       judged.push_back(candidateOf(reference, map, place));
       return judged.back().worth;
     };
-    results_.push_back(matcher_.match(reference, session_, demand, constraints, deadline));
-    for (const search::Place& place : results_.back().places) {
+    results_[map] = glance ? matcher_.matchFrom(*glance, reference, session_, demand, constraints, deadline)
+                           : matcher_.match(reference, session_, demand, constraints, deadline);
+    for (const search::Place& place : results_[map].places) {
       const auto known = std::find_if(judged.begin(), judged.end(), [&place](const Candidate& candidate) {
         return isSame(candidate.place.T_reference_session, place.T_reference_session);
       });
@@ -121,7 +158,7 @@ Findings findPlaces(const search::MapMatcher& matcher, const ReferenceMaps& maps
   if (isExact(options)) {
     ExactSearch search(matcher, session, options);
     if (plan.follow) {
-      if (const std::optional<Findings> followed = search.follow(*maps.at(plan.map), plan, stop)) {
+      if (const std::optional<Findings> followed = search.follow(*maps.at(plan.follow->map), plan, stop)) {
         return *followed;
       }
     }

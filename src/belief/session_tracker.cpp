@@ -1,10 +1,17 @@
 #include "map_matcher/belief/session_tracker.hpp"
 
+#include <Eigen/Cholesky>
 #include <utility>
 
 #include "map_matcher/belief/agreement.hpp"
 
 namespace map_matcher::belief {
+namespace {
+
+constexpr double kDeadBand = 3.53;        // squared deviations that 68 % of poses lie within
+constexpr double kLeastVariance = 1e-12;  // [m^2, rad^2] so that there is an inverse
+
+}  // namespace
 
 const char* toString(SessionState state) {
   switch (state) {
@@ -34,7 +41,7 @@ Plan SessionTracker::plan() const {
   if (!alignment_ || robot_was_lost_ || contender_ || due || options_.search.search != "exact") {
     return {};
   }
-  return {alignment_->T_reference_session, alignment_->map, worth_};
+  return {alignment_, worth_};
 }
 
 Decision SessionTracker::conclude(const Findings& findings, const ReferenceMaps& maps, const grid::OccupancyGrid& map,
@@ -43,7 +50,9 @@ Decision SessionTracker::conclude(const Findings& findings, const ReferenceMaps&
   const Findings weighed = weigh(findings);
   Decision decision;
   decision.answer = judge(weighed, options_, circumstancesOf(weighed, maps, map, robot, digest));
+  hold(decision.answer);
   decision.broadcast = remember(weighed, decision.answer, digest);
+  decision.maps_since_proof = maps_since_proof_;
   decision.state = state();
   return decision;
 }
@@ -60,7 +69,7 @@ SessionState SessionTracker::state() const {
 
 void SessionTracker::suppose(const Prior& prior) {
   prior_ = prior;
-  if (alignment_ && !agrees(prior, alignment_->T_reference_session)) {
+  if (alignment_ && !agrees(prior, *alignment_)) {
     alignment_.reset();
     forgetDoubts();
   }
@@ -82,7 +91,7 @@ Findings SessionTracker::weigh(const Findings& findings) const {
   const Eigen::Vector2d& centre = findings.search.session_centre;
   for (Candidate& candidate : candidates) {
     const bool in_use = alignment_ && isAt(candidate, centre, *alignment_, options_.search);
-    const bool meant = prior_ && agrees(*prior_, candidate.place.T_reference_session);
+    const bool meant = prior_ && agrees(*prior_, {candidate.place.T_reference_session, candidate.map});
     candidate.worth += (in_use ? options_.belief.min_margin : 0.0) + (meant ? kPriorWorth : 0.0);
   }
   return rank(findings.results, std::move(candidates), demandOf(options_).margin);
@@ -103,7 +112,7 @@ Circumstances SessionTracker::circumstancesOf(const Findings& findings, const Re
     circumstances.tentative = tentative_->place;
   }
   if (prior_ && result.found) {
-    circumstances.prior = priorEvidence(*prior_, result.T_reference_session);
+    circumstances.prior = priorEvidence(*prior_, {result.T_reference_session, findings.map});
   }
   if ((result.exact || findings.followed) && result.found && (robot || robot_was_lost_)) {
     // what is not seen takes nothing back
@@ -112,6 +121,20 @@ Circumstances SessionTracker::circumstancesOf(const Findings& findings, const Re
                                : Surroundings{};
   }
   return circumstances;
+}
+
+/// Keeps the alignment in use where the answer is the same place within its deviation.
+void SessionTracker::hold(Answer& answer) const {
+  if (!answer.matched() || !alignment_ || answer.map != alignment_->map) {
+    return;
+  }
+  const grid::Rigid2& held = alignment_->T_reference_session;
+  const grid::Rigid2& found = answer.search.T_reference_session;
+  const Eigen::Vector3d difference(found.x - held.x, found.y - held.y, grid::normalizeAngle(found.yaw - held.yaw));
+  const Eigen::Matrix3d covariance = answer.search.covariance + kLeastVariance * Eigen::Matrix3d::Identity();
+  if (difference.dot(covariance.ldlt().solve(difference)) <= kDeadBand) {
+    answer.search.T_reference_session = held;
+  }
 }
 
 Broadcast SessionTracker::remember(const Findings& findings, const Answer& answer, std::uint64_t digest) {

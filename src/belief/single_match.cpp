@@ -12,18 +12,18 @@ void requireValid(MatchOptions options) { parameters::throwIfAny(parameters::pro
 
 }  // namespace
 
-Answer matchAlone(const search::Reference& reference, const grid::OccupancyGrid& session, const MatchOptions& options,
+Answer matchAlone(const ReferenceMaps& maps, const grid::OccupancyGrid& session, const MatchOptions& options,
                   const search::Constraints& constraints, const work::StopToken& stop) {
   requireValid(options);
   const search::MapMatcher matcher(options.search);
-  return judge(findPlaces(matcher, {&reference}, session, options, {}, constraints, stop), options);
+  return judge(findPlaces(matcher, maps, session, options, {}, constraints, stop), options);
 }
 
-Answer matchAlone(const search::Reference& reference, const grid::OccupancyGrid& session, const MatchOptions& options,
+Answer matchAlone(const ReferenceMaps& maps, const grid::OccupancyGrid& session, const MatchOptions& options,
                   const search::Constraints& constraints, const work::Deadline& deadline) {
   requireValid(options);
   const search::MapMatcher matcher(options.search);
-  return judge(findPlaces(matcher, {&reference}, session, options, constraints, deadline), options);
+  return judge(findPlaces(matcher, maps, session, options, constraints, deadline), options);
 }
 
 }  // namespace map_matcher::belief

@@ -209,7 +209,10 @@ class MonteCarloLocalizer::Impl {
 
  private:
   /// MRPT's random numbers are global: what others drew must not matter.
-  void drawAnew() { mrpt::random::getRandomGenerator().randomize(static_cast<std::uint32_t>(seeds_())); }
+  void drawAnew() {
+    const auto seed = static_cast<std::uint32_t>(seeds_());
+    mrpt::random::getRandomGenerator() = mrpt::random::CRandomGenerator(seed);  // randomize() keeps half a Gaussian
+  }
 
   bool hasMoved() const {
     if (!T_odom_weighed_) {

@@ -8,6 +8,8 @@
 namespace map_matcher::parameters {
 namespace {
 
+using TextsByName = std::map<std::string, std::string>;
+
 bool numberInRange(double value, const Parameter& parameter) {
   return std::isfinite(value) && value >= parameter.min && value <= parameter.max;
 }
@@ -54,10 +56,16 @@ std::string valueText(const Parameter& parameter) {
     return "\"" + **text + "\"";
   }
   std::string list;
-  for (const std::string& text : **std::get_if<std::vector<std::string>*>(&parameter.value)) {
-    list += (list.empty() ? "\"" : ", \"") + text + "\"";
+  if (const auto* const* texts = std::get_if<std::vector<std::string>*>(&parameter.value)) {
+    for (const std::string& text : **texts) {
+      list += (list.empty() ? "\"" : ", \"") + text + "\"";
+    }
+    return "[" + list + "]";
   }
-  return "[" + list + "]";
+  for (const auto& [name, text] : **std::get_if<TextsByName*>(&parameter.value)) {
+    list += (list.empty() ? "" : ", ") + name + ": \"" + text + "\"";
+  }
+  return "{" + list + "}";
 }
 
 std::string rangeText(const Parameter& parameter) {
@@ -66,6 +74,9 @@ std::string rangeText(const Parameter& parameter) {
   }
   if (std::holds_alternative<std::vector<std::string>*>(parameter.value)) {
     return "a list of texts";
+  }
+  if (std::holds_alternative<TextsByName*>(parameter.value)) {
+    return "texts by name";
   }
   if (!std::holds_alternative<std::string*>(parameter.value)) {
     return numericRangeText(parameter);

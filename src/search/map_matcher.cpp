@@ -52,16 +52,8 @@ SearchResult MapMatcher::search(const Reference::Prepared& prepared, const grid:
   }
   work::Stopwatch watch;
   const SearchSession search_session = searchSession(session, prepared.map->resolution(), options_);
-  const bool exact = options_.search == "exact";
-  SearchOptions start = options_;
-  std::optional<std::int64_t> most_expansions;
-  if (exact) {  // the two stages find where the exact search begins, in a crowd, too
-    start.coarse.acceptance_ratio = std::min(start.coarse.acceptance_ratio, demand.min_hit_ratio);
-    most_expansions = kMostExpansions;
-  }
-  // Sections 3.1 and 3.2 of the report: the coarse stage everywhere, then the fine one around its answer.
-  SearchResult result = twoStageSearch(*prepared.map, search_session, start, constraints, deadline, most_expansions);
-  if (exact) {
+  SearchResult result = begin(prepared, search_session, demand, constraints, deadline);
+  if (options_.search == "exact") {
     result = certify(result, *prepared.map, search_session, options_, demand, constraints, deadline);
   }
   result.search_time = watch.lap();
@@ -69,12 +61,58 @@ SearchResult MapMatcher::search(const Reference::Prepared& prepared, const grid:
   return result;
 }
 
+/// Sections 3.1 and 3.2 of the report: the coarse stage everywhere, then the fine one around its answer.
+SearchResult MapMatcher::begin(const Reference::Prepared& prepared, const SearchSession& session, const Demand& demand,
+                               const Constraints& constraints, const work::Deadline& deadline) const {
+  SearchOptions options = options_;
+  std::optional<std::int64_t> most_expansions;
+  if (options.search == "exact") {  // the two stages find where the exact search begins, in a crowd, too
+    options.coarse.acceptance_ratio = std::min(options.coarse.acceptance_ratio, demand.min_hit_ratio);
+    most_expansions = kMostExpansions;
+  }
+  return twoStageSearch(*prepared.map, session, options, constraints, deadline, most_expansions);
+}
+
+SearchResult MapMatcher::glance(const Reference& reference, const grid::OccupancyGrid& session, const Demand& demand,
+                                const Constraints& constraints, const work::Deadline& deadline) const {
+  const Reference::Prepared prepared = reference.at(session.resolution(), deadline.stop());
+  if (!prepared.map) {
+    return stoppedBefore();
+  }
+  work::Stopwatch watch;
+  const SearchSession search_session = searchSession(session, prepared.map->resolution(), options_);
+  SearchResult result = begin(prepared, search_session, demand, constraints, deadline);
+  result.search_time = watch.lap();
+  result.reference_time = prepared.time;
+  return result;
+}
+
+SearchResult MapMatcher::matchFrom(const SearchResult& start, const Reference& reference,
+                                   const grid::OccupancyGrid& session, const Demand& demand,
+                                   const Constraints& constraints, const work::Deadline& deadline) const {
+  requireExact("to search on from a glance");
+  const Reference::Prepared prepared = reference.at(session.resolution(), deadline.stop());
+  if (!prepared.map) {
+    return stoppedBefore();
+  }
+  work::Stopwatch watch;
+  const SearchSession search_session = searchSession(session, prepared.map->resolution(), options_);
+  SearchResult result = certify(start, *prepared.map, search_session, options_, demand, constraints, deadline);
+  result.search_time = start.search_time + watch.lap();
+  result.reference_time = start.reference_time + prepared.time;
+  return result;
+}
+
+void MapMatcher::requireExact(const char* what) const {
+  if (options_.search != "exact") {
+    throw std::invalid_argument("search is " + options_.search + ", expected exact " + what);
+  }
+}
+
 SearchResult MapMatcher::follow(const Reference& reference, const grid::OccupancyGrid& session,
                                 const grid::Rigid2& T_reference_session, const Demand& demand,
                                 const work::StopToken& stop) const {
-  if (options_.search != "exact") {
-    throw std::invalid_argument("search is " + options_.search + ", expected exact to follow a place");
-  }
+  requireExact("to follow a place");
   const Reference::Prepared prepared = reference.at(session.resolution(), stop);
   if (!prepared.map) {
     return stoppedBefore();

@@ -205,7 +205,14 @@ void CommandLine::addParameters(const parameters::ParameterList& parameters) {
   for (const parameters::Parameter& parameter : parameters) {
     const std::string unit = parameter.unit.empty() ? "" : " " + parameter.unit;
     const std::string help = parameter.description + " [" + parameters::rangeText(parameter) + unit + "]";
-    std::visit([&](auto* value) { add(optionName(parameter.name), value, help); }, parameter.value);
+    std::visit(
+        [&](auto* value) {
+          if constexpr (std::is_constructible_v<OptionTarget,
+                                                decltype(value)>) {  // there is no option of texts by name
+            add(optionName(parameter.name), value, help);
+          }
+        },
+        parameter.value);
   }
 }
 

@@ -36,7 +36,7 @@ std::optional<grid::Rigid2> matchedPose(const grid::OccupancyGrid& before, const
   belief::MatchOptions options;
   options.search.exact_deadline = deadline;
   const search::Reference reference(before, options.search);
-  const belief::Answer answer = matchAlone(reference, after, options);
+  const belief::Answer answer = matchAlone({&reference}, after, options);
   if (!answer.matched()) {
     std::cout << toString(answer.status) << ": " << answer.reason << "; give the pose with --pose\n";
   }

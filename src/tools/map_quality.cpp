@@ -33,7 +33,7 @@ struct Arguments {
 std::optional<grid::Rigid2> matchedPose(const grid::OccupancyGrid& truth, const grid::OccupancyGrid& session) {
   const belief::MatchOptions options;
   const search::Reference reference(truth, options.search);
-  const belief::Answer answer = matchAlone(reference, session, options);
+  const belief::Answer answer = matchAlone({&reference}, session, options);
   if (!answer.matched()) {
     std::cout << toString(answer.status) << ": " << answer.reason << '\n';
   }

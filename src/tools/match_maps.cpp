@@ -127,7 +127,7 @@ int matchMaps(const Arguments& arguments) {
   const belief::MatchOptions options = readOptions(arguments);
   const search::Reference reference(grid::loadMap(arguments.reference), options.search);
   const grid::OccupancyGrid session = grid::loadMap(arguments.session);
-  const belief::Answer answer = matchAlone(reference, session, options);
+  const belief::Answer answer = matchAlone({&reference}, session, options);
   if (arguments.json != "-") {
     printSummary(answer);
   }

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <random>
@@ -56,6 +57,29 @@ TEST_F(Floors, AreToldApartAndTheRightOneIsProvenOverAll) {
   EXPECT_EQ(findings.results.size(), 3U);
 }
 
+TEST_F(Floors, AreToldApartInAnyOrder) {
+  const Findings findings = find();
+  std::sort(maps_.begin(), maps_.end());
+  do {
+    const Findings again = find();
+
+    EXPECT_EQ(maps_.at(again.map), floors_[1].get());
+    EXPECT_LT(error(again.search.T_reference_session), 0.15);
+    EXPECT_TRUE(again.search.certified);
+    EXPECT_GE(again.search.margin, demandOf(options_).margin - 1e-9) << "as much as is asked for is proven";
+    EXPECT_EQ(again.search.hit_cells, findings.search.hit_cells);
+  } while (std::next_permutation(maps_.begin(), maps_.end()));
+}
+
+TEST_F(Floors, AreSearchedWhereNoneIsEasilyFound) {
+  options_.search.coarse.acceptance_ratio = 0.99;
+
+  const Findings findings = findPlaces(search::MapMatcher(options_.search), maps_, session_.front(), options_);
+
+  EXPECT_EQ(findings.map, 1U);
+  EXPECT_LT(error(findings.search.T_reference_session), 0.15);
+}
+
 TEST_F(Floors, ThatAreAlikeAreAmbiguous) {
   floors_.push_back(std::make_unique<search::Reference>(floors_[1]->grid(), options_.search));
   maps_.push_back(floors_.back().get());
@@ -68,7 +92,7 @@ TEST_F(Floors, ThatAreAlikeAreAmbiguous) {
 
 TEST_F(Floors, AreNotSearchedWhereThePlaceInUseHolds) {
   const Findings whole = find();
-  const Plan plan{whole.search.T_reference_session, whole.map, whole.candidates.front().worth};
+  const Plan plan{KnownPlace(whole.search.T_reference_session, whole.map), whole.candidates.front().worth};
 
   const Findings followed = find(plan);
 
@@ -78,8 +102,8 @@ TEST_F(Floors, AreNotSearchedWhereThePlaceInUseHolds) {
 }
 
 TEST_F(Floors, AreSearchedWhereThePlaceInUseDoesNotHold) {
-  const Plan wrong_place{grid::Rigid2{5.0, 3.0, 0.3} * truth_, 1, 0.9};
-  const Plan wrong_floor{truth_, 0, 0.9};
+  const Plan wrong_place{KnownPlace(grid::Rigid2{5.0, 3.0, 0.3} * truth_, 1), 0.9};
+  const Plan wrong_floor{KnownPlace(truth_, 0), 0.9};
 
   for (const Plan& plan : {wrong_place, wrong_floor}) {
     const Findings findings = find(plan);

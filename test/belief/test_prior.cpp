@@ -15,11 +15,11 @@ TEST(Prior, PutsTheRobotWhereItIsSaidToBe) {
 
   const Prior prior = priorOfRobot({10.0, 5.0, -1.0}, covariance, T_session_base, "initialpose");
 
-  const grid::Rigid2 T_reference_base = prior.T_reference_session * T_session_base;
+  const grid::Rigid2 T_reference_base = prior.place.T_reference_session * T_session_base;
   EXPECT_NEAR(T_reference_base.x, 10.0, 1e-9);
   EXPECT_NEAR(T_reference_base.y, 5.0, 1e-9);
   EXPECT_NEAR(T_reference_base.yaw, -1.0, 1e-9);
-  EXPECT_TRUE(grid::covarianceOfProduct(prior.T_reference_session, prior.covariance, T_session_base)
+  EXPECT_TRUE(grid::covarianceOfProduct(prior.place.T_reference_session, prior.covariance, T_session_base)
                   .isApprox(covariance, 1e-9));
   EXPECT_EQ(prior.source, "initialpose");
 }
@@ -31,6 +31,16 @@ TEST(Prior, IsVagueFarFromTheRobot) {
 
   EXPECT_NEAR(prior.covariance(0, 0), 0.01, 1e-9);
   EXPECT_NEAR(prior.covariance(1, 1), 0.01 + 100.0 * 0.04, 1e-9);  // the heading turns the session about the robot
+}
+
+TEST(Prior, MeansAPlaceInItsOwnMapOnly) {
+  const Eigen::Matrix3d covariance = 0.25 * Eigen::Matrix3d::Identity();
+  const Prior prior = priorOfRobot({3.0, 4.0, 0.1}, covariance, {}, "initialpose", 1);
+
+  EXPECT_TRUE(agrees(prior, {{3.5, 4.0, 0.1}, 1}));
+  EXPECT_FALSE(agrees(prior, {{3.5, 4.0, 0.1}, 0}));
+  EXPECT_EQ(priorEvidence(prior, {{3.5, 4.0, 0.1}, 0}).bearing, Bearing::kSilent);
+  EXPECT_NE(priorEvidence(prior, {{3.5, 4.0, 0.1}, 0}).text.find("of another reference map"), std::string::npos);
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ grid::OccupancyGrid sessionMap(int number) {
   return map;
 }
 
-Prior supposed(double x) { return {{x, 0.0, 0.0}, 0.25 * Eigen::Matrix3d::Identity(), "initialpose"}; }
+Prior supposed(double x) { return {grid::Rigid2{x, 0.0, 0.0}, 0.25 * Eigen::Matrix3d::Identity(), "initialpose"}; }
 
 class SessionStates : public testing::Test {
  protected:
@@ -112,10 +112,10 @@ TEST_F(SessionStates, FollowThePlaceInUseAndProveItNowAndThen) {
 
   const Decision proven = conclude(found({candidate(kHere, 0.8)}), 1);
   ASSERT_TRUE(tracker_.plan().follow);
-  EXPECT_EQ(tracker_.plan().follow->x, kHere);
+  EXPECT_EQ(tracker_.plan().follow->T_reference_session.x, kHere);
   EXPECT_DOUBLE_EQ(tracker_.plan().worth, 0.8);
   const Decision drifted = conclude(followed(kHere + 0.1, 0.75), 2);
-  EXPECT_EQ(tracker_.plan().follow->x, kHere + 0.1);
+  EXPECT_EQ(tracker_.plan().follow->T_reference_session.x, kHere + 0.1);
   conclude(followed(kHere + 0.2, 0.75), 3);
 
   EXPECT_EQ(drifted.answer.status, MatchStatus::kMatched) << drifted.answer.reason;
@@ -123,6 +123,38 @@ TEST_F(SessionStates, FollowThePlaceInUseAndProveItNowAndThen) {
   EXPECT_DOUBLE_EQ(drifted.answer.probability, proven.answer.probability) << "that of the last proof";
   EXPECT_NE(find(drifted.answer.evidence, "followed"), nullptr);
   EXPECT_FALSE(tracker_.plan().follow) << "the third of three maps is searched as a whole";
+}
+
+TEST_F(SessionStates, StayWhereTheyAreWithinTheDeviationOfAMap) {
+  const auto nearby = [](double x) {
+    Findings findings = followed(x, 0.8);
+    findings.search.covariance = Eigen::Vector3d(0.02 * 0.02, 0.02 * 0.02, 1e-4).asDiagonal();
+    return findings;
+  };
+  conclude(found({candidate(kHere, 0.8)}), 1);
+
+  const Decision within = conclude(nearby(kHere + 0.03), 2);
+  const Decision beyond = conclude(nearby(kHere + 0.05), 3);
+  const Decision from_there = conclude(nearby(kHere + 0.03), 4);
+
+  EXPECT_EQ(within.answer.search.T_reference_session.x, kHere);
+  EXPECT_EQ(within.broadcast, Broadcast::kReplace) << "it was seen again";
+  EXPECT_EQ(beyond.answer.search.T_reference_session.x, kHere + 0.05);
+  EXPECT_EQ(from_there.answer.search.T_reference_session.x, kHere + 0.05);
+  EXPECT_EQ(from_there.maps_since_proof, 3);
+}
+
+TEST_F(SessionStates, AreAboutTheFloorThatIsMeant) {
+  Candidate above = candidate(kHere, 0.79);
+  above.map = 1;
+  const Findings equal =
+      rank({found({}).search, found({}).search}, {candidate(kHere, 0.8), above}, demandOf({}).margin);
+  tracker_.suppose({{grid::Rigid2{kHere, 0.0, 0.0}, 1}, 0.25 * Eigen::Matrix3d::Identity(), "initialpose"});
+
+  const Decision decision = tracker_.conclude(equal, {&reference_, &reference_}, sessionMap(1), std::nullopt);
+
+  EXPECT_EQ(decision.answer.status, MatchStatus::kMatched) << decision.answer.reason;
+  EXPECT_EQ(decision.answer.map, 1U);
 }
 
 TEST_F(SessionStates, KeepThePlaceInUseUnlessAnotherIsClearlyWorthMore) {

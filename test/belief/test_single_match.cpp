@@ -341,7 +341,8 @@ TEST(SingleMatch, RejectsEveryOptionOutOfRangeByNameValueAndRange) {
   options.belief.min_margin = -1.0;
 
   try {
-    matchAlone(search::Reference(test::asciiMap({"#"}), {}), test::asciiMap({"#"}), options);
+    const search::Reference reference(test::asciiMap({"#"}), {});
+    matchAlone({&reference}, test::asciiMap({"#"}), options);
     FAIL() << "expected std::invalid_argument";
   } catch (const std::invalid_argument& error) {
     const std::string text = error.what();

@@ -47,15 +47,20 @@ def grid(frame, origin, size, value_at, resolution=RESOLUTION):
     return message
 
 
-def reference_map(frame="map", shift=(0.0, 0.0)):
+def is_wall_mirrored(x, y):
+    """The same of another building: this one in a mirror, which no turn makes of it."""
+    return is_wall(SIZE[0] * RESOLUTION - x, y)
+
+
+def reference_map(frame="map", shift=(0.0, 0.0), wall=is_wall):
     """The building; `shift` [m] moves it in its frame."""
-    return grid(frame, shift, SIZE, lambda x, y: OCCUPIED if is_wall(x - shift[0], y - shift[1]) else FREE)
+    return grid(frame, shift, SIZE, lambda x, y: OCCUPIED if wall(x - shift[0], y - shift[1]) else FREE)
 
 
-def session_map(T_reference_session, frame="session_map", origin=(-9.6, -9.6), size=(192, 192), seen=8.0):
+def session_map(T_reference_session, frame="session_map", origin=(-9.6, -9.6), size=(192, 192), seen=8.0, wall=is_wall):
     """What a robot has drawn that started at T_reference_session = (x, y, yaw) and saw `seen` metres around itself."""
     def value_at(x, y):
         if math.hypot(x, y) > seen:
             return UNKNOWN
-        return OCCUPIED if is_wall(*transformed(T_reference_session, x, y)) else FREE
+        return OCCUPIED if wall(*transformed(T_reference_session, x, y)) else FREE
     return grid(frame, origin, size, value_at)

@@ -6,13 +6,13 @@ import tempfile
 import rospy
 from nav_msgs.srv import LoadMap, LoadMapResponse
 
-from building import OCCUPIED, RESOLUTION, reference_map, session_map
-from node_fixture import DEADLINE, NodeFixture, run
+from building import RESOLUTION, reference_map, session_map
+from map_files import YAML, write_map
+from node_fixture import DEADLINE, NodeFixture, run, wait_until
 
 START = (12.3, 7.1, 0.7)  # T_reference_session
 SHIFT = (5.0, -3.0)  # of the second reference map's building [m]
 SHIFTED = (START[0] + SHIFT[0], START[1] + SHIFT[1], START[2])
-YAML = "image: %s\nresolution: %g\norigin: [%g, %g, 0.0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n"
 
 
 class ChangeMap(NodeFixture):
@@ -20,22 +20,13 @@ class ChangeMap(NodeFixture):
         super().setUp()
         self.directory = tempfile.TemporaryDirectory()
         self.addCleanup(self.directory.cleanup)
-        self.yaml = os.path.join(self.directory.name, "shifted.yaml")
-        self.write(reference_map(shift=SHIFT), SHIFT)
+        self.yaml = write_map(reference_map(shift=SHIFT), self.directory.name, "shifted")
         rospy.wait_for_service("change_map", DEADLINE)
         self.change_map = rospy.ServiceProxy("change_map", LoadMap)
+        # What is published while a latched topic connects comes twice, and the second one would replace another map again.
+        wait_until(lambda: self.reference.get_num_connections() == 1, "the node listens")
         self.reference.publish(reference_map())
         self.match(session_map(START), reference_frame="map")
-
-    def write(self, message, origin):
-        """The map as map_server's two files."""
-        width, height = message.info.width, message.info.height
-        rows = [message.data[row * width:(row + 1) * width] for row in reversed(range(height))]
-        with open(os.path.join(self.directory.name, "shifted.pgm"), "wb") as file:
-            file.write(b"P5\n%d %d\n255\n" % (width, height))
-            file.write(bytes(0 if value == OCCUPIED else 254 for row in rows for value in row))
-        with open(self.yaml, "w", encoding="utf-8") as file:
-            file.write(YAML % ("shifted.pgm", RESOLUTION, *origin))
 
     def assert_refused(self, url, result, named):
         self.log.clear()

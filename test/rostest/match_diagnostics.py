@@ -41,7 +41,10 @@ class MatchDiagnostics(NodeFixture):
         match = self.match(session_map(START))
         alignment = self.wait_for("alignment", DiagnosticStatus.OK, "that of the last map")
         self.assertEqual(alignment["x, y [m], yaw [rad]"], "%.3f, %.3f, %.4f" % (match.x, match.y, match.yaw))
-        self.assertEqual(alignment["certified"], "yes")
+        self.assertGreater(match.maps_since_proof, 0, "the place is followed meanwhile")
+        self.assertEqual(alignment["maps since the last proof"], str(match.maps_since_proof))
+        self.assertEqual(alignment["probability"], "%.4f" % match.probability)
+        self.assertEqual(alignment["state"], "localized")
 
         self.match(of_another_building(), MapMatch.BELOW_ACCEPTANCE_RATIO)
         alignment = self.wait_for("alignment", DiagnosticStatus.WARN, "no map has matched since: ")

@@ -27,7 +27,7 @@ ROBOTS = {
     },
     "pepper": {
         "raw": ["/sick_laser_front/scan", "/sick_laser_rear/scan"],
-        "read_by_mapper": ["/sick_laser_front/scan_scrubbed"],
+        "read_by_mapper": ["/sick_laser_front/scan_scrubbed", "/sick_laser_rear/scan_scrubbed"],
         "detections": "[person_detections/front, person_detections/rear]",
         "arguments": ["combiner:=none"],  # it is not to be had everywhere
         "frames": ("map", "gmap", "odom", "base_footprint"),  # the reference map is the simulator's

@@ -157,7 +157,7 @@ class Interfaces(unittest.TestCase):
 
         self.assertEqual(statuses, statuses & first_cells(part(text_of("docs/tuning.md"), "## It says")))
         self.assertEqual({name.lower() for name in states},
-                         first_cells(part(text_of("docs/algorithm.md"), "## From map to map")) & {
+                         first_cells(part(text_of("docs/judgement.md"), "## From map to map")) & {
                              name.lower() for name in states})
         self.assertEqual(set(), in_readme - statuses)
 
@@ -176,7 +176,7 @@ class Interfaces(unittest.TestCase):
         self.assertEqual(set(), {name for name in names if f"[{name}](../launch/{name})" not in page})
 
     def test_each_program_is_described(self):
-        page = first_cells(part(text_of("docs/interfaces.md"), "## Programs"))
+        page = first_cells(part(text_of("docs/tools.md"), "## Command line"))
         programs = set(re.findall(r"map_matcher_add_tool\((\w+)", text_of("CMakeLists.txt"))) - {"name"}
         self.assertGreater(len(programs), 5)
         self.assertEqual(set(), programs - page)

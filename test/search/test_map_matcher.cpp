@@ -80,6 +80,29 @@ TEST(Places, AreTheBestOneAndTheBestOnesElsewhere) {
   }
 }
 
+TEST(Places, AreThoseOfAMatchFromAGlance) {
+  for (std::uint32_t seed = 0; seed < 5; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const ThreeBuildings buildings(seed);
+    const MapMatcher matcher;
+    const Reference reference(buildings.reference, {});
+    const grid::OccupancyGrid& session = buildings.session.front();
+    Demand easily;
+    easily.min_hit_ratio = 0.8;
+
+    const SearchResult whole = matcher.match(reference, session);
+    const SearchResult glance = matcher.glance(reference, session, easily, {}, work::Deadline(60.0));
+    const SearchResult from_there = matcher.matchFrom(glance, reference, session, {}, {}, work::Deadline(60.0));
+
+    EXPECT_TRUE(glance.found);
+    EXPECT_FALSE(glance.certified);
+    EXPECT_TRUE(from_there.certified);
+    EXPECT_EQ(from_there.hit_cells, whole.hit_cells);
+    EXPECT_EQ(from_there.margin, whole.margin);
+    ASSERT_EQ(from_there.places.size(), whole.places.size());
+  }
+}
+
 TEST(Places, AreSoughtUntilNoOtherCanBeWorthAsMuch) {
   const ThreeBuildings buildings(1);
   SearchOptions options;

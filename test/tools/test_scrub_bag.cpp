@@ -24,7 +24,7 @@ class ScrubBag : public testing::Test {
   evaluation::MapQuality qualityOf(const std::string& session_file) const {
     const grid::OccupancyGrid session = grid::loadMap(session_file);
     const search::Reference reference(grid::loadMap(office), {});
-    const belief::Answer match = belief::matchAlone(reference, session, {});
+    const belief::Answer match = belief::matchAlone({&reference}, session, {});
     EXPECT_TRUE(match.matched()) << match.reason;
     return evaluation::mapQuality(reference.grid(), session, match.search.T_reference_session, 0.15);
   }

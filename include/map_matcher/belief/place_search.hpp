@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "map_matcher/belief/findings.hpp"
+#include "map_matcher/belief/known_place.hpp"
 #include "map_matcher/belief/match_options.hpp"
 #include "map_matcher/belief/prior.hpp"
 #include "map_matcher/grid/occupancy_grid.hpp"
@@ -20,14 +21,13 @@ using ReferenceMaps = std::vector<const search::Reference*>;
 
 /// Where to look, and in what order.
 struct Plan {
-  std::optional<grid::Rigid2> follow;  ///< T_reference_session in use: the whole search only if it does not hold there.
-  std::size_t map = 0;                 ///< The reference map that it is in.
-  double worth = 0.0;                  ///< Of it, when it was last proven or followed.
+  std::optional<KnownPlace> follow;  ///< The place in use: the whole search only if it does not hold.
+  double worth = 0.0;                ///< Of it, when it was last proven or followed.
 };
 
-/// Searches the plan's place, and if that does not hold any more, or there is none, all of `maps`, one after the other;
-/// the next one only for what can still matter beside the best place so far. Ends SearchOptions::exact_deadline after
-/// the reference maps are prepared. Throws what search::MapMatcher::match throws.
+/// Searches the plan's place, and if that does not hold any more, or there is none, all of `maps`, one after the other,
+/// the most likely one first, and the next one only for what can still matter beside the best place so far. Ends
+/// SearchOptions::exact_deadline after the reference maps are prepared. Throws what search::MapMatcher::match throws.
 Findings findPlaces(const search::MapMatcher& matcher, const ReferenceMaps& maps, const grid::OccupancyGrid& session,
                     const MatchOptions& options, const Plan& plan = {}, const search::Constraints& constraints = {},
                     const work::StopToken& stop = {});

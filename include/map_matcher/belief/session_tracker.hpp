@@ -42,11 +42,13 @@ struct Decision {
   Answer answer;
   Broadcast broadcast = Broadcast::kKeep;
   SessionState state = SessionState::kSearching;
+  int maps_since_proof = 0;  ///< Maps that followed the alignment in use since it was last proven.
 };
 
 /// Takes the maps of a session and what the search says of them, in their order, and decides what is believed and
-/// broadcast. Node and evaluation use it alike, so that what was measured is what runs. Not thread-safe; knows no
-/// clock.
+/// broadcast. Node and evaluation use it alike, so that what was measured is what runs. An alignment in use stays where
+/// it is until a map puts it elsewhere by more than that map's own deviation (SearchResult::covariance): what follows
+/// from it does not tremble. Not thread-safe; knows no clock.
 class SessionTracker {
  public:
   explicit SessionTracker(const MatchOptions& options) : options_(options) {}
@@ -83,6 +85,7 @@ class SessionTracker {
   Findings weigh(const Findings& findings) const;
   Circumstances circumstancesOf(const Findings& findings, const ReferenceMaps& maps, const grid::OccupancyGrid& map,
                                 const std::optional<Eigen::Vector2d>& robot, std::uint64_t digest) const;
+  void hold(Answer& answer) const;
   Broadcast remember(const Findings& findings, const Answer& answer, std::uint64_t digest);
   void forgetDoubts();
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <limits>
+#include <map>
 #include <string>
 #include <variant>
 #include <vector>
@@ -15,7 +16,8 @@ struct Parameter {
   std::string name;         ///< under_scored, as in config/*.yaml.
   std::string unit;         ///< "m", "rad", "s", "cells", "percent", "Hz" or "" when it has none.
   std::string description;  ///< One sentence: its effect.
-  std::variant<bool*, int*, double*, std::string*, std::vector<std::string>*> value;
+  std::variant<bool*, int*, double*, std::string*, std::vector<std::string>*, std::map<std::string, std::string>*>
+      value;
   double min = -std::numeric_limits<double>::infinity();  ///< Smallest allowed number, inclusive.
   double max = std::numeric_limits<double>::infinity();   ///< Largest allowed number, inclusive.
   std::vector<std::string> choices = {};                  ///< Allowed strings; empty: any.
@@ -29,7 +31,8 @@ std::string problemWith(const Parameter& parameter);
 /// The present value as YAML writes it.
 std::string valueText(const Parameter& parameter);
 
-/// What is allowed, in words: "0 to 1", "trinary | scale | raw", "true | false", "a list of texts".
+/// What is allowed, in words: "0 to 1", "trinary | scale | raw", "true | false", "a list of texts", "texts by
+/// name".
 std::string rangeText(const Parameter& parameter);
 
 }  // namespace map_matcher::parameters

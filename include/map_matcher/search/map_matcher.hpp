@@ -13,6 +13,8 @@
 
 namespace map_matcher::search {
 
+struct SearchSession;
+
 /// Finds how session maps lie in reference maps (report section 3). Never changes: several threads may search with it,
 /// in one reference map or in several.
 class MapMatcher {
@@ -33,6 +35,16 @@ class MapMatcher {
   SearchResult match(const Reference& reference, const grid::OccupancyGrid& session, const Demand& demand,
                      const Constraints& constraints, const work::Deadline& deadline) const;
 
+  /// What the two stages find of it with little effort: where an exact search begins, and of several reference maps a
+  /// hint which to search first. Not found says nothing. Throws what Reference::at throws.
+  SearchResult glance(const Reference& reference, const grid::OccupancyGrid& session, const Demand& demand,
+                      const Constraints& constraints, const work::Deadline& deadline) const;
+
+  /// The exact search from there: match() with the same arguments, but for a demand that may be stricter. Throws
+  /// std::invalid_argument unless options.search is "exact", and what Reference::at throws.
+  SearchResult matchFrom(const SearchResult& start, const Reference& reference, const grid::OccupancyGrid& session,
+                         const Demand& demand, const Constraints& constraints, const work::Deadline& deadline) const;
+
   /// The place that a session map lies at when it is known to lie near `T_reference_session`, as after an earlier
   /// session map of the same drive: the best pose uphill from there, by hits, moved to where it fits best, in a few
   /// milliseconds. Nothing is proven and nothing said of places elsewhere: `places` has that one, certified is false
@@ -45,6 +57,9 @@ class MapMatcher {
  private:
   SearchResult search(const Reference::Prepared& prepared, const grid::OccupancyGrid& session, const Demand& demand,
                       const Constraints& constraints, const work::Deadline& deadline) const;
+  SearchResult begin(const Reference::Prepared& prepared, const SearchSession& session, const Demand& demand,
+                     const Constraints& constraints, const work::Deadline& deadline) const;
+  void requireExact(const char* what) const;
 
   SearchOptions options_;
 };

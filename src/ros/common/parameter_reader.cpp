@@ -57,6 +57,20 @@ std::optional<std::vector<std::string>> listOfTexts(XmlRpcValue& value) {
   return texts;
 }
 
+std::optional<std::map<std::string, std::string>> textsByName(XmlRpcValue& value) {
+  if (value.getType() != XmlRpcValue::TypeStruct) {
+    return std::nullopt;
+  }
+  std::map<std::string, std::string> texts;
+  for (auto& [name, text] : value) {
+    if (text.getType() != XmlRpcValue::TypeString) {
+      return std::nullopt;
+    }
+    texts.emplace(name, static_cast<std::string&>(text));
+  }
+  return texts;
+}
+
 /// The value as a T, or nothing when it is of another type; a whole number serves as a double.
 template <typename T>
 std::optional<T> as(const XmlRpcValue& value) {
@@ -68,6 +82,8 @@ std::optional<T> as(const XmlRpcValue& value) {
     return type == XmlRpcValue::TypeString ? std::optional<T>(static_cast<std::string&>(copy)) : std::nullopt;
   } else if constexpr (std::is_same_v<T, std::vector<std::string>>) {
     return listOfTexts(copy);
+  } else if constexpr (std::is_same_v<T, std::map<std::string, std::string>>) {
+    return textsByName(copy);
   } else {
     if (type == XmlRpcValue::TypeInt) {
       return static_cast<T>(static_cast<int&>(copy));
@@ -81,7 +97,8 @@ std::optional<T> as(const XmlRpcValue& value) {
 
 const char* typeText(const parameters::Parameter& parameter) {
   if (std::holds_alternative<bool*>(parameter.value) ||
-      std::holds_alternative<std::vector<std::string>*>(parameter.value)) {
+      std::holds_alternative<std::vector<std::string>*>(parameter.value) ||
+      std::holds_alternative<std::map<std::string, std::string>*>(parameter.value)) {
     return "";  // its range says it
   }
   if (std::holds_alternative<int*>(parameter.value)) {

@@ -4,14 +4,17 @@
 
 #include <exception>
 #include <filesystem>
-#include <stdexcept>
 #include <system_error>
 #include <utility>
 
 #include "map_matcher/grid/map_file.hpp"
 #include "map_matcher/ros/common/names.hpp"
+#include "map_matcher/ros/matching/map_url.hpp"
 
 namespace map_matcher::ros_matching {
+
+#if __has_include(<nav_msgs/LoadMap.h>)
+
 namespace {
 
 using Response = nav_msgs::LoadMap::Response;
@@ -35,17 +38,6 @@ std::uint8_t codeOf(const std::string& path) {
 
 }  // namespace
 
-std::string pathOfMapUrl(const std::string& url) {
-  const std::string scheme = "file://";
-  if (url.rfind(scheme, 0) == 0) {
-    return url.substr(scheme.size());
-  }
-  if (url.find("://") != std::string::npos) {
-    throw std::invalid_argument("map_url is \"" + url + "\", expected a path or file:///PATH");
-  }
-  return url;
-}
-
 ChangeMapService::ChangeMapService(ros::NodeHandle node, Load load) : load_(std::move(load)) {
   node.setCallbackQueue(&queue_);
   service_ = node.advertiseService<nav_msgs::LoadMap::Request, Response>(
@@ -68,5 +60,13 @@ void ChangeMapService::onChangeMap(const std::string& url, Response& response) c
   }
   response.result = codeOf(path);
 }
+
+#else
+
+ChangeMapService::ChangeMapService(ros::NodeHandle /*node*/, Load load) : load_(std::move(load)) {
+  ROS_INFO_STREAM("there is no service change_map: this nav_msgs has no LoadMap, which came with its version 1.13.1");
+}
+
+#endif
 
 }  // namespace map_matcher::ros_matching

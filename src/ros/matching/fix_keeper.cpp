@@ -7,8 +7,6 @@
 #include <system_error>
 #include <utility>
 
-#include "map_matcher/belief/session_map_traits.hpp"
-
 namespace map_matcher::ros_matching {
 namespace {
 
@@ -32,12 +30,12 @@ std::optional<fixes::SavedFix> savedFix(const std::string& path) {
   }
 }
 
-belief::Prior priorOf(const fixes::SavedFix& fix, const grid::Rigid2& T_session_base) {
+belief::Prior priorOf(const fixes::SavedFix& fix, const grid::Rigid2& T_session_base, std::size_t map) {
   Eigen::Matrix3d covariance = fix.pose.covariance;
   covariance(0, 0) += FixKeeper::kPushed * FixKeeper::kPushed;
   covariance(1, 1) += FixKeeper::kPushed * FixKeeper::kPushed;
   covariance(2, 2) += FixKeeper::kTurned * FixKeeper::kTurned;
-  return belief::priorOfRobot(fix.pose.T_reference_base, covariance, T_session_base, "saved fix");
+  return belief::priorOfRobot(fix.pose.T_reference_base, covariance, T_session_base, "saved fix", map);
 }
 
 }  // namespace
@@ -68,7 +66,7 @@ void FixKeeper::keep(const ros::Time& now) {
     return;
   }
   kept_ = now;
-  last_ = fixes::SavedFix{robot->reference->frame, digestOf(robot->reference), robot->pose};
+  last_ = fixes::SavedFix{robot->reference->frame, robot->reference->digest, robot->pose};
   writer_->submit([path = path_, fix = *last_](const work::StopToken& /*stop*/) { fixes::saveFix(fix, path); });
 }
 
@@ -77,10 +75,11 @@ std::optional<belief::Prior> FixKeeper::offer(const MapsLookup& look_up, const r
     return std::nullopt;
   }
   const MapsInUse maps = look_up();
-  if (!maps.reference || maps.session_frame.empty()) {
+  if (maps.references.empty() || maps.session_frame.empty()) {
     return std::nullopt;
   }
-  if (offered_->reference_digest != digestOf(maps.reference)) {
+  const auto reference = findFrame(maps.references, offered_->reference_map);
+  if (reference == maps.references.end() || (*reference)->digest != offered_->reference_digest) {
     ROS_WARN_STREAM("the saved fix of " << path_ << " is ignored: it is about another reference map, \""
                                         << offered_->reference_map << "\" as it was when it was saved");
     offered_.reset();
@@ -92,17 +91,10 @@ std::optional<belief::Prior> FixKeeper::offer(const MapsLookup& look_up, const r
   }
   const grid::Rigid2& pose = offered_->pose.T_reference_base;
   ROS_INFO_STREAM("the robot was last at (" << pose.x << " m, " << pose.y << " m, " << pose.yaw << " rad) in \""
-                                            << maps.reference->frame << "\", by " << path_
+                                            << (*reference)->frame << "\", by " << path_
                                             << ": that is weighed against what the next map shows");
-  return priorOf(*std::exchange(offered_, std::nullopt), *robot.T_session_base);
-}
-
-std::uint64_t FixKeeper::digestOf(const ReferenceMapPtr& reference) {
-  if (digested_ != reference) {
-    digested_ = reference;
-    digest_ = belief::digestOf(reference->map.grid());
-  }
-  return digest_;
+  return priorOf(*std::exchange(offered_, std::nullopt), *robot.T_session_base,
+                 static_cast<std::size_t>(reference - maps.references.begin()));
 }
 
 }  // namespace map_matcher::ros_matching

@@ -19,11 +19,13 @@ constexpr const char* kPoseName = "the pose";
 }  // namespace
 
 std::string problemWithInitialPose(const geometry_msgs::PoseWithCovarianceStamped& message,
-                                   const ReferenceMap& reference) {
+                                   const ReferenceMapList& references) {
   const std::string frame = ros_common::frameName(message.header.frame_id);
-  if (frame != reference.frame) {
-    return "it is in the frame \"" + frame + "\", expected that of the reference map, \"" + reference.frame +
-           "\" (rviz: Fixed Frame)";
+  const auto reference = findFrame(references, frame);
+  if (reference == references.end()) {
+    return "it is in the frame \"" + frame + "\", expected that of " +
+           (references.size() == 1 ? "the reference map, " : "a reference map, one of ") + frameTexts(references) +
+           " (rviz: Fixed Frame)";
   }
   grid::Rigid2 pose;
   try {
@@ -31,7 +33,7 @@ std::string problemWithInitialPose(const geometry_msgs::PoseWithCovarianceStampe
   } catch (const ros_common::MessageError& error) {
     return error.what();
   }
-  const grid::GridGeometry& geometry = reference.map.grid().geometry();
+  const grid::GridGeometry& geometry = (*reference)->map.grid().geometry();
   if (!geometry.contains(geometry.cellAt(pose.translation()))) {
     std::ostringstream text;
     text << "(" << pose.x << " m, " << pose.y << " m) lies outside the reference map of frame \"" << frame << "\"";
@@ -71,7 +73,8 @@ void InitialPoseSource::handOver(const ros::Time& now) {
     return;
   }
   const geometry_msgs::PoseWithCovarianceStamped& message = *pending_->message;
-  const std::string session_frame = maps_().session_frame;
+  const MapsInUse maps = maps_();
+  const std::string& session_frame = maps.session_frame;
   const ros::Time stamp = message.header.stamp.isZero() ? pending_->since : message.header.stamp;
   const bool is_late = (now - pending_->since).toSec() > kPatience || now < pending_->since;
   const RobotPose robot = is_late ? robot_.atOrShortlyBefore(session_frame, stamp) : robot_.at(session_frame, stamp);
@@ -79,8 +82,10 @@ void InitialPoseSource::handOver(const ros::Time& now) {
     const grid::Rigid2 pose = ros_common::fromMessage(message.pose.pose, kPoseName);
     ROS_INFO_STREAM("the initialpose of " << pending_->publisher << " is (" << pose.x << " m, " << pose.y << " m, "
                                           << pose.yaw << " rad): it is weighed against what the next map shows");
+    const auto reference = findFrame(maps.references, ros_common::frameName(message.header.frame_id));
     const belief::Prior prior = belief::priorOfRobot(pose, ros_common::planarCovariance(message.pose),
-                                                     *robot.T_session_base, ros_common::names::kInitialPose);
+                                                     *robot.T_session_base, ros_common::names::kInitialPose,
+                                                     static_cast<std::size_t>(reference - maps.references.begin()));
     pending_.reset();
     listener_(prior);
   } else if (is_late) {
@@ -91,13 +96,13 @@ void InitialPoseSource::handOver(const ros::Time& now) {
 /// Why the pose that waits cannot be used with the maps at hand; "" when it can.
 std::string InitialPoseSource::problem() const {
   const MapsInUse maps = maps_();
-  if (!maps.reference) {
+  if (maps.references.empty()) {
     return "there is no reference map yet";
   }
   if (maps.session_frame.empty()) {
     return "there is no session map yet";
   }
-  return problemWithInitialPose(*pending_->message, *maps.reference);
+  return problemWithInitialPose(*pending_->message, maps.references);
 }
 
 void InitialPoseSource::ignore(const std::string& why) {

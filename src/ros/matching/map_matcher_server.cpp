@@ -2,8 +2,11 @@
 
 #include <ros/console.h>
 
+#include <stdexcept>
+
 #include "map_matcher/ros/common/conversions.hpp"
 #include "map_matcher/ros/common/names.hpp"
+#include "map_matcher/ros/matching/map_url.hpp"
 #include "map_matcher/ros/matching/match_messages.hpp"
 #include "map_matcher/search/matched_cells.hpp"
 
@@ -25,20 +28,19 @@ MapMatcherServer::MapMatcherServer(ros::NodeHandle node, ros::NodeHandle private
       pose_publisher_(node, robot_),
       announcer_(node, robot_, options.robot),
       overlay_publisher_(node),
-      reference_source_(node, private_node, options.match.search,
-                        [this](const ReferenceMapPtr& reference) { onReference(reference); }),
+      reference_source_(node, options.match.search,
+                        [this](const ReferenceMapList& references) { onReferences(references); }),
       session_subscriber_(node.subscribe(ros_common::names::kSessionMap, 1, &MapMatcherServer::onSessionMap, this)),
-      map_serving_(node, options.serve_map, {session_subscriber_.getTopic(), reference_source_.topic()}),
+      map_serving_(node, private_node, options.serve_map, {session_subscriber_.getTopic(), reference_source_.topic()}),
       worker_([](const std::string& what) { ROS_ERROR_STREAM("a search failed: " << what); }),
       operator_(node, private_node, robot_,
                 {[this] { return mapsInUse(); }, [this](const belief::Prior& prior) { suppose(prior); },
                  [this](const std::string& service) { forget(service); }}),
       frame_diagnostics_(node, private_node, [this] { return contestedFrames(); }) {
-  if (!options.reference_map_file.empty()) {
-    reference_source_.load(options.reference_map_file, options.reference_frame);
-  }
+  loadReferences(options);
   services_.emplace(node, private_node, options.match, serviceActions());
-  change_map_.emplace(node, [this, frame = options.reference_frame](const std::string& path) {
+  change_map_.emplace(node, [this, frame = options.reference_frame, root = options.map_root](const std::string& path) {
+    requireMapBelow(root, path);
     return reference_source_.load(path, frame);
   });
   diagnostics_.emplace(
@@ -48,6 +50,20 @@ MapMatcherServer::MapMatcherServer(ros::NodeHandle node, ros::NodeHandle private
   waiting_timer_ = node.createWallTimer(ros::WallDuration(kWaitingPeriod),
                                         [this](const ros::WallTimerEvent&) { tellWhatIsMissing(); });
   tellWhatIsMissing();
+}
+
+void MapMatcherServer::loadReferences(const MapMatcherServerOptions& options) {
+  if (options.reference_maps.empty()) {
+    if (!options.reference_map_file.empty()) {
+      reference_source_.load(options.reference_map_file, options.reference_frame);
+    }
+    return;
+  }
+  if (!options.reference_map_file.empty()) {
+    throw std::invalid_argument("~reference_map_file is \"" + options.reference_map_file +
+                                "\", and ~reference_maps names maps, too: expected one of both");
+  }
+  reference_source_.loadAll(options.reference_maps);
 }
 
 void MapMatcherServer::onSessionMap(const MapEvent& event) {
@@ -65,11 +81,11 @@ void MapMatcherServer::onSessionMap(const MapEvent& event) {
   record_.last_session_map = ros::Time::now();
   if (!session) {
     MapMatch report = refusal(MapMatch::INVALID_MAP, problem);
-    fillFrames(report, reference_, ros_common::frameName(message.header.frame_id), message.header.stamp);
+    fillFrames(report, onlyOne(references_), ros_common::frameName(message.header.frame_id), message.header.stamp);
     tellReport(report);
     return;
   }
-  if (!reference_ || session->frame != reference_->frame) {
+  if (findFrame(references_, session->frame) == references_.end()) {
     const std::string why = tracker_.arrive(traitsOf(*session, event.getPublisherName()));
     if (!why.empty()) {
       ROS_WARN_STREAM("a new session begins, and what was known of the last one is forgotten: the session map is "
@@ -82,11 +98,13 @@ void MapMatcherServer::onSessionMap(const MapEvent& event) {
   submitMatch(nullptr);
 }
 
-void MapMatcherServer::onReference(const ReferenceMapPtr& reference) {
+void MapMatcherServer::onReferences(const ReferenceMapList& references) {
   const std::lock_guard<std::mutex> lock(mutex_);
   dropAlignment();
-  reference_ = reference;
-  map_serving_.serve(*reference);
+  references_ = references;
+  if (const ReferenceMapPtr only = onlyOne(references)) {
+    map_serving_.serve(only);
+  }
   if (session_) {
     submitMatch(nullptr);
   }
@@ -109,7 +127,7 @@ void MapMatcherServer::tellWhatIsMissing() {
   if (ros::Time::isSimTime() && ros::Time::now().isZero()) {
     ROS_INFO_STREAM("waiting for the time on /clock, as use_sim_time is true");
   }
-  if (!reference_) {
+  if (references_.empty()) {
     ROS_INFO_STREAM("waiting for a reference map on " << reference_source_.topic());
   }
   if (!session_) {
@@ -119,9 +137,9 @@ void MapMatcherServer::tellWhatIsMissing() {
 
 MatchServices::Actions MapMatcherServer::serviceActions() {
   MatchServices::Actions actions;
-  actions.reference = [this] {
+  actions.references = [this] {
     const std::lock_guard<std::mutex> lock(mutex_);
-    return reference_;
+    return references_;
   };
   actions.set_reference = [this](const nav_msgs::OccupancyGrid& map) { reference_source_.take(map); };
   actions.match_session = [this] { return matchSession(); };
@@ -131,7 +149,7 @@ MatchServices::Actions MapMatcherServer::serviceActions() {
 
 MatchDiagnostics::State MapMatcherServer::diagnosticState() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return {record_, reference_, broadcaster_.isContested(), dropped_session_maps_, reference_source_.dropped()};
+  return {record_, references_, broadcaster_.isContested(), dropped_session_maps_, reference_source_.dropped()};
 }
 
 std::vector<ros_common::ContestedFrame> MapMatcherServer::contestedFrames() {
@@ -145,7 +163,7 @@ std::vector<ros_common::ContestedFrame> MapMatcherServer::contestedFrames() {
 
 MapsInUse MapMatcherServer::mapsInUse() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return {reference_, session_ ? session_->frame : ""};
+  return {references_, session_ ? session_->frame : ""};
 }
 
 void MapMatcherServer::suppose(const belief::Prior& prior) {
@@ -178,7 +196,7 @@ std::optional<std::future<MapMatch>> MapMatcherServer::matchSession() {
 }
 
 void MapMatcherServer::submitMatch(const Answer& answer) {
-  const auto finish = [this, session = session_, reference = reference_, answer](MapMatch& report) {
+  const auto finish = [this, session = session_, answer](MapMatch& report, const ReferenceMapPtr& reference) {
     fillFrames(report, reference, session->frame, session->stamp);
     tellReport(report);
     if (answer) {
@@ -186,46 +204,47 @@ void MapMatcherServer::submitMatch(const Answer& answer) {
     }
   };
   worker_.submit(
-      [this, finish, session = session_, reference = reference_, plan = tracker_.plan()](const work::StopToken& stop) {
+      [this, finish, session = session_, references = references_,
+       plan = tracker_.plan()](const work::StopToken& stop) {
         belief::Findings findings;
-        std::optional<MapMatch> refused = reference ? refuseEqualFrames(*reference, *session) : noReferenceReport();
+        std::optional<MapMatch> refused =
+            references.empty() ? noReferenceReport() : refuseEqualFrames(references, *session);
         if (!refused) {
-          findings = findPlaces(matcher_, {&reference->map}, session->grid, tracker_.options(), plan, {}, stop);
+          findings = findPlaces(matcher_, searched(references), session->grid, tracker_.options(), plan, {}, stop);
         }
         const std::lock_guard<std::mutex> lock(mutex_);
-        if (!stop.stopRequested()) {
-          MapMatch report = refused ? *refused : conclude(*session, reference, findings);
-          finish(report);
+        if (stop.stopRequested()) {
+          return;
         }
+        if (refused) {
+          const auto equal = findFrame(references, session->frame);
+          finish(*refused, equal == references.end() ? onlyOne(references) : *equal);
+          return;
+        }
+        const belief::Decision decision = conclude(*session, references, findings);
+        MapMatch report = toMessage(decision);
+        finish(report, referenceOf(decision.answer, references));
       },
-      [this, finish](const std::string& what, const work::StopToken& stop) {
+      [this, finish, references = references_](const std::string& what, const work::StopToken& stop) {
         const std::lock_guard<std::mutex> lock(mutex_);
         if (!stop.stopRequested()) {
           MapMatch report = refusal(MapMatch::FAILED, "the search failed: " + what);
-          finish(report);
+          finish(report, onlyOne(references));
         }
       });
 }
 
 /// What is believed after a search, and broadcast.
-MapMatch MapMatcherServer::conclude(const SessionMap& session, const ReferenceMapPtr& reference,
-                                    const belief::Findings& findings) {
+belief::Decision MapMatcherServer::conclude(const SessionMap& session, const ReferenceMapList& references,
+                                            const belief::Findings& findings) {
   const RobotPose robot = robot_.atOrShortlyBefore(session.frame, session.stamp);
   record_.robot_unknown = robot.reason;
   const auto place =
       robot.T_session_base ? std::optional<Eigen::Vector2d>(robot.T_session_base->translation()) : std::nullopt;
-  const belief::Decision decision = tracker_.conclude(findings, {&reference->map}, session.grid, place);
-  const search::SearchResult& result = decision.answer.search;
-  MapMatch report = toMessage(decision.answer);
-  fillFrames(report, reference, session.frame, session.stamp);
+  belief::Decision decision = tracker_.conclude(findings, searched(references), session.grid, place);
   switch (decision.broadcast) {
     case belief::Broadcast::kReplace:
-      broadcaster_.set({reference->frame, session.frame, result.T_reference_session});
-      pose_publisher_.request(report, ros::Time::now());
-      announcer_.set({reference, session.frame, session.stamp, result.T_reference_session, result.covariance});
-      overlay_publisher_.publish(search::splitByMatch(reference->map.grid(), session.grid, result.T_reference_session,
-                                                      tracker_.options().search),
-                                 session.frame, session.grid.resolution());
+      announce(session, references.at(decision.answer.map), decision);
       break;
     case belief::Broadcast::kWithdraw:
       broadcaster_.clear();
@@ -235,7 +254,21 @@ MapMatch MapMatcherServer::conclude(const SessionMap& session, const ReferenceMa
     case belief::Broadcast::kKeep:
       break;
   }
-  return report;
+  return decision;
+}
+
+void MapMatcherServer::announce(const SessionMap& session, const ReferenceMapPtr& reference,
+                                const belief::Decision& decision) {
+  const search::SearchResult& result = decision.answer.search;
+  map_serving_.serve(reference);
+  broadcaster_.set({reference->frame, session.frame, result.T_reference_session});
+  MapMatch report = toMessage(decision);
+  fillFrames(report, reference, session.frame, session.stamp);
+  pose_publisher_.request(report, ros::Time::now());
+  announcer_.set({reference, session.frame, session.stamp, result.T_reference_session, result.covariance});
+  overlay_publisher_.publish(
+      search::splitByMatch(reference->map.grid(), session.grid, result.T_reference_session, tracker_.options().search),
+      session.frame, session.grid.resolution());
 }
 
 /// Publishes and logs what came of a map.

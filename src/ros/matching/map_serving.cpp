@@ -10,7 +10,10 @@
 
 namespace map_matcher::ros_matching {
 
-MapServing::MapServing(ros::NodeHandle node, bool enabled, const std::vector<std::string>& taken) : enabled_(enabled) {
+MapServing::MapServing(ros::NodeHandle node, ros::NodeHandle private_node, bool enabled,
+                       const std::vector<std::string>& taken)
+    : enabled_(enabled),
+      reference_publisher_(private_node.advertise<nav_msgs::OccupancyGrid>(ros_common::names::kReferenceMap, 1, true)) {
   if (!enabled_) {
     return;
   }
@@ -27,20 +30,26 @@ MapServing::MapServing(ros::NodeHandle node, bool enabled, const std::vector<std
                                             nav_msgs::GetMap::Response& response) { return onGetMap(response); });
 }
 
-void MapServing::serve(const ReferenceMap& reference) {
+void MapServing::serve(const ReferenceMapPtr& reference) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (reference == reference_) {
+    return;
+  }
+  reference_ = reference;
+  const nav_msgs::OccupancyGrid map = ros_common::toMessage(reference->map.grid(), reference->frame, ros::Time::now());
+  reference_publisher_.publish(map);
   if (!enabled_) {
     return;
   }
-  const std::lock_guard<std::mutex> lock(mutex_);
-  map_ = ros_common::toMessage(reference.map.grid(), reference.frame, ros::Time::now());
-  map_publisher_.publish(*map_);
-  metadata_publisher_.publish(map_->info);
+  map_ = map;
+  map_publisher_.publish(map);
+  metadata_publisher_.publish(map.info);
 }
 
 bool MapServing::onGetMap(nav_msgs::GetMap::Response& response) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!map_) {
-    ROS_WARN_STREAM("static_map was asked for, but there is no reference map yet");
+    ROS_WARN_STREAM("static_map was asked for, but it is not known yet which reference map the robot is in");
     return false;
   }
   response.map = *map_;

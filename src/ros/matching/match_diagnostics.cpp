@@ -1,5 +1,6 @@
 #include "map_matcher/ros/matching/match_diagnostics.hpp"
 
+#include <string>
 #include <utility>
 
 #include "map_matcher/ros/common/diagnostic_levels.hpp"
@@ -63,15 +64,17 @@ MatchDiagnostics::MatchDiagnostics(const ros::NodeHandle& node, const ros::NodeH
 }
 
 void MatchDiagnostics::reportReference(DiagnosticStatusWrapper& status) const {
-  if (!state_.reference) {
+  if (state_.references.empty()) {
     status.summary(kWarn, "no reference map yet on " + reference_topic_);
     return;
   }
-  const grid::OccupancyGrid& grid = state_.reference->map.grid();
-  status.summary(kOk, "in use");
-  status.add("frame", state_.reference->frame);
-  status.addf("size [cells]", "%d x %d", grid.width(), grid.height());
-  status.addf("resolution [m]", "%g", grid.resolution());
+  status.summary(kOk, state_.references.size() == 1 ? "in use" : std::to_string(state_.references.size()) + " in use");
+  for (const ReferenceMapPtr& reference : state_.references) {
+    const grid::OccupancyGrid& grid = reference->map.grid();
+    status.add("frame", reference->frame);
+    status.addf("size [cells]", "%d x %d", grid.width(), grid.height());
+    status.addf("resolution [m]", "%g", grid.resolution());
+  }
   status.add("dropped", state_.dropped_reference_maps);
 }
 
@@ -117,13 +120,16 @@ void MatchDiagnostics::reportAlignment(DiagnosticStatusWrapper& status) const {
   }
   if (record.last_report) {
     status.add("last status", record.last_report->status_text);
+    status.add("state", record.last_report->state_text);
   }
   if (match) {
+    status.add("reference frame", match->reference_frame);
     status.addf("x, y [m], yaw [rad]", "%.3f, %.3f, %.4f", match->x, match->y, match->yaw);
     status.addf("ratio", "%.3f", match->ratio);
     status.addf("hit ratio", "%.3f", match->hit_ratio);
     status.addf("margin", "%.3f", match->margin);
-    status.add("certified", match->certified ? "yes" : "no");
+    status.addf("probability", "%.4f", match->probability);
+    status.add("maps since the last proof", match->maps_since_proof);
     status.add("searches since", record.reports_since);
   }
 }

@@ -157,6 +157,12 @@ MapMatch toMessage(const belief::Answer& answer) {
   return message;
 }
 
+MapMatch toMessage(const belief::Decision& decision) {
+  MapMatch message = toMessage(decision.answer);
+  message.maps_since_proof = static_cast<std::uint32_t>(decision.maps_since_proof);
+  return message;
+}
+
 std::uint8_t stateConstant(belief::SessionState state) {
   switch (state) {
     case belief::SessionState::kSearching:

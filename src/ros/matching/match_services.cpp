@@ -53,7 +53,7 @@ bool MatchServices::onMatchToReference(MatchToReference::Request& request, Match
   try {
     const belief::MatchOptions options = optionsOf(request, options_);
     requireValid(options);
-    response.match = matchMessage(options, actions_.reference(), request.session_map, constraintsOf(request), stop_);
+    response.match = matchMessage(options, actions_.references(), request.session_map, constraintsOf(request), stop_);
   } catch (const std::invalid_argument& error) {
     response.match = refusal(MapMatch::INVALID_REQUEST, error.what());
   } catch (const std::exception& error) {

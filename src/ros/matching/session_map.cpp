@@ -36,25 +36,33 @@ MapMatch noReferenceReport() {
   return toMessage(none);
 }
 
-std::optional<MapMatch> refuseEqualFrames(const ReferenceMap& reference, const SessionMap& session) {
-  if (session.frame != reference.frame) {
+std::optional<MapMatch> refuseEqualFrames(const ReferenceMapList& references, const SessionMap& session) {
+  if (findFrame(references, session.frame) == references.end()) {
     return std::nullopt;
   }
   return refusal(
       MapMatch::EQUAL_FRAMES,
-      "the session map and the reference map are both in the frame \"" + reference.frame +
+      "the session map and the reference map are both in the frame \"" + session.frame +
           "\", expected two: let the mapper use another one (slam_gmapping: _map_frame:=session_map) or, for "
           "a map read from a file, set ~reference_frame");
 }
 
-MapMatch matchMessage(const belief::MatchOptions& options, const ReferenceMapPtr& reference,
+ReferenceMapPtr referenceOf(const belief::Answer& answer, const ReferenceMapList& references) {
+  return answer.search.found ? references.at(answer.map) : onlyOne(references);
+}
+
+MapMatch matchMessage(const belief::MatchOptions& options, const ReferenceMapList& references,
                       const nav_msgs::OccupancyGrid& session, const search::Constraints& constraints,
                       const work::StopToken& stop) {
-  MapMatch report;
+  MapMatch report = noReferenceReport();
+  ReferenceMapPtr reference = onlyOne(references);
   try {
     const SessionMapPtr map = sessionMapOf(session);
-    report = reference ? toMessage(belief::matchAlone(reference->map, map->grid, options, constraints, stop))
-                       : noReferenceReport();
+    if (!references.empty()) {
+      const belief::Answer answer = belief::matchAlone(searched(references), map->grid, options, constraints, stop);
+      report = toMessage(answer);
+      reference = referenceOf(answer, references);
+    }
   } catch (const ros_common::MessageError& error) {
     report = refusal(MapMatch::INVALID_MAP, error.what());
   }

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -12,13 +13,14 @@ namespace map_matcher::ros_matching {
 namespace {
 
 /// A map of 10 m x 5 m that is turned by a quarter: it covers x from -5 to 0 m and y from 0 to 10 m.
-ReferenceMap turnedMap() {
+ReferenceMapList turnedMap() {
   grid::GridGeometry geometry;
   geometry.resolution = 0.5;
   geometry.width = 20;
   geometry.height = 10;
   geometry.T_map_grid = {0.0, 0.0, 1.5707963267948966};
-  return {grid::OccupancyGrid(geometry, std::vector<std::int8_t>(200, grid::kOccupied)), {}, "map"};
+  return {std::make_shared<const ReferenceMap>(
+      grid::OccupancyGrid(geometry, std::vector<std::int8_t>(200, grid::kOccupied)), search::SearchOptions{}, "map")};
 }
 
 geometry_msgs::PoseWithCovarianceStamped poseAt(double x, double y) {

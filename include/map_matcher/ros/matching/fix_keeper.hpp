@@ -4,7 +4,6 @@
 
 #include <ros/time.h>
 
-#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -41,21 +40,18 @@ class FixKeeper {
   /// Saves where the robot is, unless that is not known or kPeriod has not passed; to be called again and again.
   void keep(const ros::Time& now);
 
-  /// What the last run saved, as where the session lies, if it is about this reference map: once, as soon as tf knows
-  /// the robot in the session map. To be called again and again; the maps are looked up only while there is an offer.
+  /// What the last run saved, as where the session lies, if it is about one of these reference maps: once, as soon as
+  /// tf knows the robot in the session map. To be called again and again; the maps are looked up only while there is an
+  /// offer.
   std::optional<belief::Prior> offer(const MapsLookup& look_up, const ros::Time& now);
 
  private:
-  std::uint64_t digestOf(const ReferenceMapPtr& reference);
-
   const std::string path_;
   RobotLocator& locator_;
   const RobotPoseSource& robot_;
   std::optional<fixes::SavedFix> offered_;  // not yet offered
   std::optional<fixes::SavedFix> last_;     // the newest one of this run
   ros::Time kept_;
-  ReferenceMapPtr digested_;
-  std::uint64_t digest_ = 0;                     // of digested_
   std::optional<work::LatestJobWorker> writer_;  // nothing only at the end
 };
 

@@ -18,17 +18,18 @@ namespace map_matcher::ros_matching {
 
 /// The maps in use.
 struct MapsInUse {
-  ReferenceMapPtr reference;  ///< Null: none yet.
-  std::string session_frame;  ///< Empty: no session map yet.
+  ReferenceMapList references;  ///< Empty: none yet.
+  std::string session_frame;    ///< Empty: no session map yet.
 };
 
 /// Looks up the maps in use, which may wait for somebody who changes them.
 using MapsLookup = std::function<MapsInUse()>;
 
-/// What is wrong with a pose that is said to be the robot's in `reference`, with the value and what was expected; ""
-/// when it can be used.
+/// What is wrong with a pose that is said to be the robot's in one of `references`, with the value and what was
+/// expected;
+/// "" when it can be used.
 std::string problemWithInitialPose(const geometry_msgs::PoseWithCovarianceStamped& message,
-                                   const ReferenceMap& reference);
+                                   const ReferenceMapList& references);
 
 /// Takes poses of the robot in the reference map from `initialpose`, as rviz's tool sends them, and makes of each where
 /// the session lies, as soon as tf says where the robot was in the session map at the pose's stamp. What cannot be used

@@ -37,10 +37,10 @@
 
 namespace map_matcher::ros_matching {
 
-/// Matches every session map to the reference map on a worker thread, the newest first, and publishes what came of it
+/// Matches every session map to the reference maps on a worker thread, the newest first, and publishes what came of it
 /// (names: names.hpp). A match that is accepted is broadcast on tf until a later one replaces it; one that fails is
 /// told on `map_match` and changes nothing else. What is believed is decided by belief::SessionTracker alone. The
-/// alignment is dropped when a map begins a new session,  when the reference map is replaced and when time goes back,
+/// alignment is dropped when a map begins a new session, when the reference maps are replaced and when time goes back,
 /// which means that a bag loops and the mapper may have started anew.
 class MapMatcherServer {
  public:
@@ -52,7 +52,8 @@ class MapMatcherServer {
   using Answer = std::shared_ptr<std::promise<MapMatch>>;
 
   void onSessionMap(const MapEvent& event);
-  void onReference(const ReferenceMapPtr& reference);
+  void loadReferences(const MapMatcherServerOptions& options);
+  void onReferences(const ReferenceMapList& references);
   void onTick();
   void tellWhatIsMissing();
 
@@ -64,7 +65,9 @@ class MapMatcherServer {
   void forget(const std::string& service);
   std::optional<std::future<MapMatch>> matchSession();
   void submitMatch(const Answer& answer);
-  MapMatch conclude(const SessionMap& session, const ReferenceMapPtr& reference, const belief::Findings& findings);
+  belief::Decision conclude(const SessionMap& session, const ReferenceMapList& references,
+                            const belief::Findings& findings);
+  void announce(const SessionMap& session, const ReferenceMapPtr& reference, const belief::Decision& decision);
   void tellReport(MapMatch& report);
   void tell(const MapMatch& report);
   void complete(MapMatch& report) const;
@@ -74,7 +77,7 @@ class MapMatcherServer {
 
   std::mutex mutex_;  // guards the session and reference maps, and that no answer is published after it was outdated
   SessionMapPtr session_;  // the newest that can be used
-  ReferenceMapPtr reference_;
+  ReferenceMapList references_;
   belief::SessionTracker tracker_;
   const search::MapMatcher matcher_;
   MatchRecord record_;

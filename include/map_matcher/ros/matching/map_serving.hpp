@@ -14,23 +14,26 @@
 
 namespace map_matcher::ros_matching {
 
-/// Publishes the reference map in use, latched, on `map` and `map_metadata`, and answers `static_map`, so that what is
-/// used here and what a planner drives on is one map. Thread-safe.
+/// Publishes the reference map in use, latched, on the private topic `reference_map`, and if wanted on `map` and
+/// `map_metadata`, and answers `static_map`, so that what is used here and what a planner drives on is one map. Of
+/// several reference maps, that is the one which the robot was last found in. Thread-safe.
 class MapServing {
  public:
-  /// Serves nothing unless `enabled`. Throws std::invalid_argument when maps are taken from the topic that this one is
-  /// served on: `taken` are the names of these topics.
-  MapServing(ros::NodeHandle node, bool enabled, const std::vector<std::string>& taken);
+  /// Serves it as map_server does only if `enabled`. Throws std::invalid_argument when maps are taken from the topic
+  /// that this one is served on: `taken` are the names of these topics.
+  MapServing(ros::NodeHandle node, ros::NodeHandle private_node, bool enabled, const std::vector<std::string>& taken);
 
   /// Serves this map from now on.
-  void serve(const ReferenceMap& reference);
+  void serve(const ReferenceMapPtr& reference);
 
  private:
   bool onGetMap(nav_msgs::GetMap::Response& response);
 
   const bool enabled_;
-  std::mutex mutex_;  // guards map_
+  std::mutex mutex_;  // guards both below
+  ReferenceMapPtr reference_;
   std::optional<nav_msgs::OccupancyGrid> map_;
+  ros::Publisher reference_publisher_;
   ros::Publisher map_publisher_;
   ros::Publisher metadata_publisher_;
   ros::ServiceServer static_map_;

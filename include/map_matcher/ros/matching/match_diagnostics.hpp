@@ -31,13 +31,13 @@ struct MatchRecord {
   void forgetMatch();
 };
 
-/// Once a second, by the wall clock, tells of the reference map, of the session maps and of the alignment.
+/// Once a second, by the wall clock, tells of the reference maps, of the session maps and of the alignment.
 class MatchDiagnostics {
  public:
   /// What there is to tell.
   struct State {
     MatchRecord record;
-    ReferenceMapPtr reference;               ///< Null: none yet.
+    ReferenceMapList references;             ///< Empty: none yet.
     bool contested = false;                  ///< Whether another node gives the child frame of the alignment a parent.
     std::uint32_t dropped_session_maps = 0;  ///< Session maps that could not be used.
     std::uint32_t dropped_reference_maps = 0;  ///< Reference maps that could not be used.

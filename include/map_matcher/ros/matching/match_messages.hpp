@@ -16,6 +16,9 @@ namespace map_matcher::ros_matching {
 /// All of `answer`; header, frames and counts are left to the caller.
 MapMatch toMessage(const belief::Answer& answer);
 
+/// The same of what was decided, with the maps since the proof.
+MapMatch toMessage(const belief::Decision& decision);
+
 /// The answer for a map or a request that was not searched for. `status` is INVALID_MAP, EQUAL_FRAMES,
 /// INVALID_REQUEST or FAILED.
 MapMatch refusal(std::uint8_t status, const std::string& reason);

@@ -23,7 +23,7 @@ class MatchServices {
  public:
   /// What the services act on; called on the services' thread.
   struct Actions {
-    std::function<ReferenceMapPtr()> reference;                           ///< The reference map in use, or null.
+    std::function<ReferenceMapList()> references;                         ///< The reference maps in use.
     std::function<void(const nav_msgs::OccupancyGrid&)> set_reference;    ///< Throws MessageError.
     std::function<std::optional<std::future<MapMatch>>()> match_session;  ///< Nothing when there is no session map.
     std::function<void(MapMatch&)> complete;                              ///< Fills in the header's stamp and counts.

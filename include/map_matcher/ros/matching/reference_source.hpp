@@ -1,5 +1,5 @@
 /// \file
-/// Where the reference map comes from.
+/// Where the reference maps come from.
 #pragma once
 
 #include <nav_msgs/OccupancyGrid.h>
@@ -8,28 +8,33 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
-#include <mutex>
+#include <map>
 #include <string>
 
 #include "map_matcher/ros/matching/reference_map.hpp"
 
 namespace map_matcher::ros_matching {
 
-/// Takes reference maps from a file, the topic `reference_map` and callers, refuses those that cannot be used, and
-/// publishes the one in use, latched, on the private topic `reference_map`. Thread-safe.
+/// Takes reference maps from files, the topic `reference_map` and callers, and refuses those that cannot be used.
+/// Thread-safe.
 class ReferenceSource {
  public:
-  /// Told of every reference map that replaces the one before it.
-  using Listener = std::function<void(const ReferenceMapPtr&)>;
+  /// Told of the reference maps that replace those before them.
+  using Listener = std::function<void(const ReferenceMapList&)>;
 
   /// `options` are those of the searches in the maps. A map needs a cell of options.occupied_threshold.
-  ReferenceSource(ros::NodeHandle node, ros::NodeHandle private_node, const search::SearchOptions& options,
-                  Listener listener);
+  ReferenceSource(ros::NodeHandle node, const search::SearchOptions& options, Listener listener);
 
-  /// Takes the map of a map_server YAML file, as one of `frame`, and returns it. Throws MapFileError or MessageError.
+  /// Takes the map of a map_server YAML file, as one of `frame`, in place of all others, and returns it. Throws
+  /// MapFileError or MessageError.
   nav_msgs::OccupancyGrid load(const std::string& yaml_path, const std::string& frame);
 
-  /// Takes the map of a message. Throws MessageError when it cannot be used; then the old one stays.
+  /// Takes the maps of several such files; their names are their frames. Throws as load() does, and
+  /// std::invalid_argument for two names of one file.
+  void loadAll(const std::map<std::string, std::string>& files);
+
+  /// Takes the map of a message in place of all others. Throws MessageError when it cannot be used; then the old one
+  /// stays.
   void take(const nav_msgs::OccupancyGrid& message);
 
   /// Maps on the topic or from callers that could not be used so far.
@@ -40,13 +45,10 @@ class ReferenceSource {
 
  private:
   void onMap(const nav_msgs::OccupancyGridConstPtr& message);
-  void use(const nav_msgs::OccupancyGrid& message);
 
   const search::SearchOptions options_;
   Listener listener_;
   std::atomic<std::uint32_t> dropped_{0};
-  std::mutex use_mutex_;  // the map published last is the one that the listener heard of last
-  ros::Publisher publisher_;
   ros::Subscriber subscriber_;
 };
 

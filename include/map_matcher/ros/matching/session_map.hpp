@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "map_matcher/belief/answer.hpp"
 #include "map_matcher/belief/match_options.hpp"
 #include "map_matcher/belief/session_map_traits.hpp"
 #include "map_matcher/grid/occupancy_grid.hpp"
@@ -36,13 +37,16 @@ belief::SessionMapTraits traitsOf(const SessionMap& session, const std::string& 
 /// The answer while there is no reference map.
 MapMatch noReferenceReport();
 
-/// Why a session map cannot be aligned on tf with `reference`: both are in one frame. Refuses with status EQUAL_FRAMES
-/// and advice; nothing when it can.
-std::optional<MapMatch> refuseEqualFrames(const ReferenceMap& reference, const SessionMap& session);
+/// Why a session map cannot be aligned on tf with `references`: it is in the frame of one of them. Refuses with status
+/// EQUAL_FRAMES and advice; nothing when it can.
+std::optional<MapMatch> refuseEqualFrames(const ReferenceMapList& references, const SessionMap& session);
+
+/// The reference map that an answer is about; null when there are several, and it is about none of them.
+ReferenceMapPtr referenceOf(const belief::Answer& answer, const ReferenceMapList& references);
 
 /// Searches and judges a session map on its own. Never throws on account of the message: one that cannot be used is a
 /// report with status INVALID_MAP. Throws what a search throws.
-MapMatch matchMessage(const belief::MatchOptions& options, const ReferenceMapPtr& reference,
+MapMatch matchMessage(const belief::MatchOptions& options, const ReferenceMapList& references,
                       const nav_msgs::OccupancyGrid& session, const search::Constraints& constraints,
                       const work::StopToken& stop);
 
