@@ -61,6 +61,8 @@ def write_page(page, parts, arguments, num_open):
             "end of each part. Session maps are drawn by %s." % (
                 arguments.mapper if arguments.bag and arguments.mapper else "session_mapper, unless the part says "
                 "otherwise"), ""]
+    if arguments.note:
+        head += [arguments.note, ""]
     if num_open > 0:
         head += ["**%d runs were not done yet and are missing from the tables.**" % num_open, ""]
     (page / "README.md").write_text("\n".join(head + parts), encoding="utf-8")

@@ -1,6 +1,8 @@
 #include "map_matcher/files/output_file.hpp"
 
 #include <fcntl.h>
+#include <pthread.h>
+#include <signal.h>  // NOLINT(modernize-deprecated-headers): <csignal> has no masks
 #include <unistd.h>
 
 #include <array>
@@ -56,6 +58,23 @@ void forgetPending(int registration) {
     pending.taken = false;
   }
 }
+
+/// Keeps signals from this thread: one that came between the making of a file and its registration would leave it
+/// behind.
+class SignalsHeld {
+ public:
+  SignalsHeld() {
+    sigset_t all;
+    sigfillset(&all);
+    pthread_sigmask(SIG_BLOCK, &all, &before_);
+  }
+  ~SignalsHeld() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  SignalsHeld(const SignalsHeld&) = delete;
+  SignalsHeld& operator=(const SignalsHeld&) = delete;
+
+ private:
+  sigset_t before_{};
+};
 
 /// Whether the path is written to in place: there is nothing to replace in a device or a pipe.
 bool isInPlace(const fs::path& path) {
@@ -119,6 +138,7 @@ OutputFile::OutputFile(const std::string& path) : path_(path) {
   if (fs::exists(final_path_, unreadable) && access(final_path_.c_str(), W_OK) != 0) {
     fail(path_, errno);
   }
+  const SignalsHeld held;
   std::tie(descriptor_, pending_path_) = openPending(path_, final_path_);
   registration_ = registerPending(pending_path_);
 }

@@ -116,12 +116,16 @@ class SessionMapperSession(unittest.TestCase):
         self.assert_walls_of_the_room(grid)
 
     def drive_until_map(self, time, after, pose=None, beams=360):
-        """Sends a scan, again until a map newer than `after` comes: connections take their time."""
+        """Sends a scan, again until a map newer than `after`, but no newer than the scan, comes: connections take their
+        time, and so do maps of the session before."""
+        def is_new(grid):
+            return after < grid.header.stamp.to_sec() < time + 1e-6
+
         def has_map():
             self.robot.step(time, pose or pose_at(time), beams)
-            return any(grid.header.stamp.to_sec() > after for grid in self.map.messages)
+            return any(is_new(grid) for grid in list(self.map.messages))
         wait_until(has_map, "a map newer than %g" % after)
-        return self.map.wait_for(lambda grid: grid.header.stamp.to_sec() > after, "the map")
+        return self.map.wait_for(is_new, "the map")
 
     def step_until_used(self, time, pose):
         """Sends a scan until the node has taken it, which shows in the stamp of dynamic_map. More than once, because

@@ -30,7 +30,7 @@ DOCUMENTS = ("README.md", "docs/interfaces.md", "docs/navigation.md", "docs/resu
 
 # What makes a command small, or lets it do without a screen: more arguments behind it, or another text in it.
 MORE_ARGUMENTS = {
-    " replay.launch bag:": "rviz:=false",
+    "replay.launch bag:": "rviz:=false",
     "simulated_crowd.launch density:": "rviz:=false",
     "--itinerary explore": "--duration 3",
     "check_robot.launch": "duration:=600",

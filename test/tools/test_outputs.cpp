@@ -141,6 +141,7 @@ TEST_F(Outputs, areNotThereAfterASignal) {
   const std::string old = dir_.write("old.bag", "old");
   before_ = names();
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    std::signal(signal, SIG_DFL);  // nohup leaves one of them ignored
     test::ProgramProcess drive(SIMULATE_DRIVE, {"--map", map_, "--radius", "0.2", "--duration", "36000", "--bag", old});
     const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
     while (!fs::exists(old + ".partial") && std::chrono::steady_clock::now() < deadline) {
@@ -151,6 +152,7 @@ TEST_F(Outputs, areNotThereAfterASignal) {
     EXPECT_EQ(drive.end(signal), 128 + signal);
 
     EXPECT_EQ(names(), before_);
+    ASSERT_EQ(fs::file_size(old), 3U) << "signal " << signal;
     EXPECT_EQ(contentOf(old), "old");
   }
 }
