@@ -10,6 +10,7 @@ CHECKOUT = Path(__file__).resolve().parents[2]
 
 # Packages of the system: name for rosdep, and for apt.
 SYSTEM = {
+    "doxygen": {"doxygen"},
     "eigen": {"libeigen3-dev"},
     "libboost-program-options-dev": {"libboost-program-options-dev"},
     "libopencv-dev": {"libopencv-dev"},
@@ -80,7 +81,7 @@ def cmake_arguments(command):
 class Packages(unittest.TestCase):
     def test_each_row_of_the_table_has_a_group_and_a_package_on_each_system(self):
         for group, cells, _ in rows():
-            self.assertIn(group, ("build", "test", "lint"), cells)
+            self.assertIn(group, ("build", "test", "lint", "docs"), cells)
             self.assertEqual(len(cells), len(SYSTEMS), cells)
 
     def test_the_table_names_no_package_twice_for_one_purpose(self):

@@ -26,8 +26,7 @@ struct ScanMatch {
 /// Gauss-Newton steps, with the distances of the beams' ends from the straight pieces of wall nearest to them, and the
 /// prediction as one more observation. Ends that are far from all walls (people who walk, what was not seen before)
 /// count little, with weights of Geman and McClure that narrow down step by step. Directions in which the walls tell
-/// nothing, as along a corridor, are left to the prediction.
-/// \param fan in the base frame
+/// nothing, as along a corridor, are left to the prediction. `fan` is in the base frame.
 ScanMatch matchScan(const HitCountingGrid& grid, const BeamFan& fan, const PoseEstimate& predicted,
                     const ScanMatchOptions& options);
 

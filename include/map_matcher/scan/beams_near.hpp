@@ -17,10 +17,8 @@ struct BeamRange {
 /// Calls `visit(BeamRange)` for the beams of a scan that point within `half_width` + `margin` beams of a direction;
 /// more than once for a scan of more than a turn. Beam i points along angle_min + i * angle_increment. Visits no beam
 /// twice, and takes no longer than a look at every beam, whatever the angles are; what it visits makes sense for a
-/// valid ScanLayout.
-/// \param bearing [rad], within a turn of 0
-/// \param half_width [rad], at least 0
-/// \param margin [beams], at least 0; for rounding
+/// valid ScanLayout. `bearing` [rad] lies within a turn of 0, `half_width` [rad] and `margin` [beams], which is for
+/// rounding, are at least 0.
 template <typename Visit>
 void visitBeamsNear(double angle_min, double angle_increment, std::size_t num_beams, double bearing, double half_width,
                     double margin, Visit&& visit) {

@@ -8,8 +8,8 @@
 
 namespace map_matcher::simulation {
 
-/// Random numbers from std::mt19937_64, whose output the standard fixes. The distributions of <random> are not fixed by
-/// it, so they are written out here: a seed gives the same numbers with every standard library. Not thread-safe.
+/// Random numbers from std::mt19937_64, whose output the standard fixes. The distributions of `<random>` are not fixed
+/// by it, so they are written out here: a seed gives the same numbers with every standard library. Not thread-safe.
 class RandomNumbers {
  public:
   /// Numbers of one `stream` of a seed. Streams of the same seed are independent of each other, so that what one part

@@ -18,8 +18,8 @@ namespace map_matcher::trials {
 /// around the robot; evidence, each piece as name:bearing; drive; the best place that was found, believed or not, as
 /// candidate_x, _y, _yaw, with its errors: candidate_error and candidate_rotation_error of the robot's pose,
 /// candidate_map_error and candidate_map_rotation_error of the middle of the session map. Then all else that answers
-/// tell in numbers, as answer.<name>, and the value of each piece of evidence, as evidence.<name>. Units are s, m, rad
-/// and cells; what is not known is empty.
+/// tell in numbers, as `answer.<name>`, and the value of each piece of evidence, as `evidence.<name>`. Units are s, m,
+/// rad and cells; what is not known is empty.
 std::string toCsv(const std::vector<TrialQuery>& queries);
 
 }  // namespace map_matcher::trials

@@ -1,8 +1,7 @@
 #!/usr/bin/env python3
-"""Runs what README.md and docs tell a user to type, as it stands there, on a small simulated drive: a test case a
-command.
+"""Runs what README.md and docs/ tell a user to type, as it stands there, on a small simulated drive: a test each.
 
-The commands run in a shell that has sourced what they say, of the build that MAP_MATCHER_BUILD names (a directory
+The commands run in a shell that has sourced what README.md says, of the build that MAP_MATCHER_BUILD names (a directory
 that scripts/build has filled); without MAP_MATCHER_BUILD they run in the environment as it is.
 """
 
@@ -16,6 +15,7 @@ import socket
 import subprocess
 import tempfile
 import unittest
+import xml.etree.ElementTree as ElementTree
 import xmlrpc.client
 from pathlib import Path
 
@@ -24,39 +24,51 @@ DEADLINE = 90  # [s] for one command on the small drive
 LOOK_AGAIN = 0.2  # [s]
 SEED = 1
 
+# The documents with commands, in the order in which they are run; those of one document may build on each other.
+DOCUMENTS = ("README.md", "docs/interfaces.md", "docs/navigation.md", "docs/results.md", "docs/robots.md", "docs/tools.md",
+             "docs/tuning.md", "docs/tutorial.md")
+
 # What makes a command small, or lets it do without a screen: more arguments behind it, or another text in it.
 MORE_ARGUMENTS = {
     "replay.launch bag:": "rviz:=false",
     "simulated_crowd.launch density:": "rviz:=false",
     "--itinerary explore": "--duration 3",
+    "check_robot.launch": "duration:=600",
 }
-OTHER_TEXTS = {"--duration 120": "--duration 10"}
+OTHER_TEXTS = {"--duration 120": "--duration 20", "record -O drive.bag": "record -O recorded.bag"}
 # Words of commands that draw session maps, for which there is nothing to run where MRPT is missing.
-NEEDING_MRPT = ("map_bag", "--session", "evaluate_drive", "replay.launch bag:", "simulated_crowd.launch density:")
-# Packages of others that a launch file starts nodes of; roslaunch finds none of them where they are not installed.
-STARTING_NODES_OF = {"navigation.launch": "move_base"}
+NEEDING_MRPT = ("map_bag", "--session", "--after", "evaluate_drive", "replay.launch bag:",
+                "simulated_crowd.launch density:")
 # They run until they are stopped, as every launch file does.
-ENDLESS_PROGRAMS = ("slam_gmapping", "person_detections_bridge")
+ENDLESS_PROGRAMS = ("slam_gmapping", "person_detections_bridge", "static_transform_publisher")
+ENDLESS_WORDS = (["rosbag", "record"], ["rostopic", "echo"])
 
 
 class Command:
     """A line of a code block, or a command in the text."""
 
-    def __init__(self, page, line_number, text):
-        self.page = page
+    def __init__(self, document, line_number, text):
+        self.document = document
         self.line_number = line_number
         self.words = text.split()
         self.text = text
 
     def __str__(self):
-        return f"{self.page}, line {self.line_number}: {self.text}"
+        return f"{self.document}, line {self.line_number}: {self.text}"
 
     def is_endless(self):
         return ((self.words[0] == "roslaunch" and "--ros-args" not in self.words) or
-                (self.words[0] == "rosrun" and self.words[2] in ENDLESS_PROGRAMS))
+                (self.words[0] == "rosrun" and self.words[2] in ENDLESS_PROGRAMS) or self.words[:2] in ENDLESS_WORDS)
 
-    def package(self):
-        return next(word for word in self.words[1:] if not word.startswith("-"))
+    def packages(self):
+        """Those without which there is nothing to run: its own, and those that its launch file takes nodes from."""
+        own = next(word for word in self.words[1:] if not word.startswith("-"))
+        if self.words[0] != "roslaunch" or own != "map_matcher":
+            return {own}
+        name = next(word for word in self.words if word.endswith(".launch"))
+        nodes = ElementTree.parse(CHECKOUT / "launch" / name).getroot().findall("node")
+        return {own} | {node.get("pkg") for node in nodes
+                        if not {"if", "unless"} & node.attrib.keys() and "$" not in node.get("pkg")}
 
     def asking(self, option):
         """The command of a launch file with an option that makes roslaunch only tell something of it."""
@@ -67,23 +79,24 @@ class Command:
         return {word.split(":=")[0] for word in self.words if ":=" in word}
 
 
-def commands_of(page):
-    """All commands of a page, without the comments behind them; what is no program of a user's is none."""
-    readme = (CHECKOUT / page).read_text(encoding="utf-8")
-    commands, in_block, of_shell = [], False, False
-    for number, line in enumerate(readme.splitlines(), start=1):
+def commands_of(document):
+    """All commands of a document, without the comments behind them. Blocks of a language, as ```text, have none."""
+    text = (CHECKOUT / document).read_text(encoding="utf-8")
+    commands, block = [], None
+    for number, line in enumerate(text.splitlines(), start=1):
         if line.startswith("```"):
-            in_block = not in_block
-            of_shell = line == "```"  # else it is another language's
-        elif in_block and of_shell:
-            commands.append(Command(page, number, line.split("  #")[0].strip()))
-    blanked = re.sub(r"(?s)```.*?```", lambda block: "\n" * block[0].count("\n"), readme)
+            block = line if block is None else None
+        elif block == "```":
+            commands.append(Command(document, number, line.split("  #")[0].strip()))
+    blanked = re.sub(r"(?s)```.*?```", lambda block: "\n" * block[0].count("\n"), text)
     for match in re.finditer(r"`((?:rosrun|roslaunch)\s[^`]+)`", blanked):
-        commands.append(Command(page, blanked.count("\n", 0, match.start()) + 1, " ".join(match[1].split())))
+        commands.append(Command(document, blanked.count("\n", 0, match.start()) + 1, " ".join(match[1].split())))
     return sorted(commands, key=lambda command: command.line_number)
 
 
-PAGES = ["README.md", "docs/interfaces.md", "docs/robots.md", "docs/tools.md", "docs/results.md"]
+# Each once, though several documents may have it.
+COMMANDS = list({command.text: command for document in reversed(DOCUMENTS)
+                 for command in reversed(commands_of(document))}.values())
 
 
 def free_port():
@@ -128,7 +141,7 @@ class Shell:
         return {node for kind in state for _, nodes in kind for node in nodes} - {"/rosout"}
 
 
-class ReadmeCommands(unittest.TestCase):
+class DocumentedCommands(unittest.TestCase):
     """Has a test for each command, see below."""
 
     @classmethod
@@ -157,7 +170,7 @@ class ReadmeCommands(unittest.TestCase):
         for key, arguments in MORE_ARGUMENTS.items():
             if key in text:
                 text += " " + arguments
-        small = Command(command.page, command.line_number, text)
+        small = Command(command.document, command.line_number, text)
         if small.words[0].startswith("scripts/"):
             self.assertTrue(os.access(CHECKOUT / small.words[0], os.X_OK), command)
         elif small.words[0] == ".":
@@ -165,15 +178,25 @@ class ReadmeCommands(unittest.TestCase):
         elif small.words[0] == "docker":
             self.skipTest("needs Docker")
         else:
-            self.assertIn(small.words[0], ("rosrun", "roslaunch"), command)
+            self.assertIn(small.words[0], ("rosrun", "roslaunch", "rosbag", "rostopic"), command)
             if not self.has_mrpt and any(words in text for words in NEEDING_MRPT):
                 self.skipTest("nothing draws session maps here: MRPT is not installed")
             shell = Shell(self.directory)
-            packages = [small.package()] + [package for words, package in STARTING_NODES_OF.items() if words in text]
-            for package in packages:
-                if shell.run(f"rospack find {package}").returncode != 0:
-                    self.skipTest(f"{package} is not installed")
+            self.skip_where_missing(shell, small)
             (self.check_endless if small.is_endless() else self.check_ending)(shell, small)
+
+    def skip_where_missing(self, shell, command):
+        if command.words[0] in ("rosbag", "rostopic"):
+            if shell.run(f"command -v {command.words[0]}").returncode != 0:
+                self.skipTest(f"{command.words[0]} is not installed")
+            return
+        for package in sorted(command.packages()):
+            if shell.run(f"rospack find {package}").returncode != 0:
+                self.skipTest(f"{package} is not installed")
+        package, program = command.words[1:3]
+        if command.words[0] == "rosrun" and package != "map_matcher":  # Debian has some packages without their programs
+            if not shell.run(f"catkin_find --libexec {package} {program}").stdout.strip():
+                self.skipTest(f"{package} is not installed as a whole")
 
     def test_image(self):
         """The image for a robot runs what is behind its name in `docker run`."""
@@ -250,11 +273,10 @@ class ReadmeCommands(unittest.TestCase):
 
 
 def add_test(command):
-    name = re.sub(r"\W+", "_", " ".join(command.words[:3])).strip("_")
-    page = re.sub(r"\W+", "_", command.page)
-    setattr(ReadmeCommands, f"test_{page}_{command.line_number:04d}_{name}", lambda self: self.check(command))
+    document = DOCUMENTS.index(command.document)
+    name = re.sub(r"\W+", "_", " ".join([Path(command.document).stem, *command.words[:3]])).strip("_")
+    setattr(DocumentedCommands, f"test_{document}_{command.line_number:04d}_{name}", lambda self: self.check(command))
 
 
-for each in PAGES:
-    for one in commands_of(each):
-        add_test(one)
+for each in COMMANDS:
+    add_test(each)
