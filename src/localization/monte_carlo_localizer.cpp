@@ -256,6 +256,8 @@ class MonteCarloLocalizer::Impl {
   MonteCarloEstimate weighed_;                       // when the particles were last weighed
 };
 
+bool MonteCarloLocalizer::available() { return true; }
+
 MonteCarloLocalizer::MonteCarloLocalizer(const grid::OccupancyGrid& map, const MonteCarloOptions& options)
     : impl_(std::make_unique<Impl>(map, options)) {}
 MonteCarloLocalizer::~MonteCarloLocalizer() = default;

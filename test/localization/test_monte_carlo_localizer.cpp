@@ -65,7 +65,16 @@ MonteCarloEstimate driven(const MonteCarloOptions& options, const grid::Occupanc
   return localizer.estimate();
 }
 
-TEST(MonteCarloLocalizer, ConvergesToTheTruthFromAnywhere) {
+class MonteCarlo : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!MonteCarloLocalizer::available()) {
+      GTEST_SKIP() << "MRPT is not in this build";
+    }
+  }
+};
+
+TEST_F(MonteCarlo, ConvergesToTheTruthFromAnywhere) {
   const MonteCarloEstimate start = MonteCarloLocalizer(building(), quickOptions()).estimate();
   EXPECT_GT(start.position_deviation, 2.0);
   EXPECT_GT(start.yaw_deviation, 1.0);
@@ -81,7 +90,7 @@ TEST(MonteCarloLocalizer, ConvergesToTheTruthFromAnywhere) {
   EXPECT_LT(end.particles, 5000) << "KLD sampling needs fewer particles for a certain filter";
 }
 
-TEST(MonteCarloLocalizer, TakesAMapWhoseOriginIsTurned) {
+TEST_F(MonteCarlo, TakesAMapWhoseOriginIsTurned) {
   grid::OccupancyGrid turned = building();
   grid::GridGeometry geometry = turned.geometry();
   const grid::Rigid2 T_other_map{3.0, -2.0, 1.2};
@@ -94,7 +103,7 @@ TEST(MonteCarloLocalizer, TakesAMapWhoseOriginIsTurned) {
   EXPECT_LT(std::abs(error.yaw), 0.1);
 }
 
-TEST(MonteCarloLocalizer, TakesALaserThatHangsUpsideDown) {
+TEST_F(MonteCarlo, TakesALaserThatHangsUpsideDown) {
   MonteCarloLocalizer localizer(building(), quickOptions());
   for (const simulation::DriveStep& step : drive().steps) {
     std::vector<scan::MountedScan> scans = scansOf(step);
@@ -107,7 +116,7 @@ TEST(MonteCarloLocalizer, TakesALaserThatHangsUpsideDown) {
   EXPECT_LT(error.translation().norm(), 0.2);
 }
 
-TEST(MonteCarloLocalizer, IsTheSameForTheSameSeedOnly) {
+TEST_F(MonteCarlo, IsTheSameForTheSameSeedOnly) {
   MonteCarloOptions options = quickOptions();
   options.max_particles = 2000;
   const MonteCarloEstimate once = driven(options);
@@ -122,7 +131,7 @@ TEST(MonteCarloLocalizer, IsTheSameForTheSameSeedOnly) {
   EXPECT_NE(once.T_map_base.x, other.T_map_base.x);
 }
 
-TEST(MonteCarloLocalizer, FollowsTheOdometryBetweenTwoUpdates) {
+TEST_F(MonteCarlo, FollowsTheOdometryBetweenTwoUpdates) {
   MonteCarloLocalizer localizer(building(), quickOptions());
   const std::vector<scan::MountedScan> scans = scansOf(drive().steps.front());
   EXPECT_TRUE(localizer.add({0.0, 0.0, 0.0}, scans));
@@ -136,7 +145,7 @@ TEST(MonteCarloLocalizer, FollowsTheOdometryBetweenTwoUpdates) {
   EXPECT_TRUE(localizer.add({0.25, 0.0, 0.1}, scans));
 }
 
-TEST(MonteCarloLocalizer, SurvivesScansThatMeasuredNothing) {
+TEST_F(MonteCarlo, SurvivesScansThatMeasuredNothing) {
   MonteCarloLocalizer localizer(building(), quickOptions());
   std::vector<scan::MountedScan> nothing = scansOf(drive().steps.front());
   for (const float range : {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN(), 0.0F}) {
@@ -152,7 +161,7 @@ TEST(MonteCarloLocalizer, SurvivesScansThatMeasuredNothing) {
   EXPECT_TRUE(std::isfinite(localizer.estimate().position_deviation));
 }
 
-TEST(MonteCarloLocalizer, StartsAnewWhenAskedTo) {
+TEST_F(MonteCarlo, StartsAnewWhenAskedTo) {
   MonteCarloLocalizer localizer(building(), quickOptions());
   localizer.add({0.0, 0.0, 0.0}, scansOf(drive().steps.front()));
   localizer.add({1.0, 0.0, 0.0}, scansOf(drive().steps.front()));
@@ -174,16 +183,24 @@ TEST(MonteCarloLocalizer, NamesEveryBadParameter) {
                     HasSubstr("min_particles is 200, expected at most max_particles = 100")));
 }
 
-TEST(MonteCarloLocalizer, RefusesAMapWithoutFreeSpace) {
+TEST_F(MonteCarlo, RefusesAMapWithoutFreeSpace) {
   EXPECT_THAT(test::thrownText<std::invalid_argument>([] {
                 MonteCarloLocalizer(test::asciiMap({"###", "#?#", "###"}, 0.5));
               }),
               HasSubstr("no free cell"));
 }
 
-TEST(MonteCarloLocalizer, RefusesOdometryThatIsNotFinite) {
+TEST_F(MonteCarlo, RefusesOdometryThatIsNotFinite) {
   MonteCarloLocalizer localizer(building(), quickOptions());
   EXPECT_THROW(localizer.add({std::nan(""), 0.0, 0.0}, {}), std::invalid_argument);
+}
+
+TEST(MonteCarloLocalizer, SaysWhyItIsNotThere) {
+  if (MonteCarloLocalizer::available()) {
+    GTEST_SKIP() << "MRPT is in this build";
+  }
+  EXPECT_THAT(test::thrownText<std::runtime_error>([] { MonteCarloLocalizer localizer(building()); }),
+              HasSubstr("MRPT (mrpt-slam) was not found when this was built"));
 }
 
 }  // namespace

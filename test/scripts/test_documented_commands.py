@@ -36,9 +36,6 @@ MORE_ARGUMENTS = {
     "check_robot.launch": "duration:=600",
 }
 OTHER_TEXTS = {"--duration 120": "--duration 20", "record -O drive.bag": "record -O recorded.bag"}
-# Words of commands that draw session maps, for which there is nothing to run where MRPT is missing.
-NEEDING_MRPT = ("map_bag", "--session", "--after", "evaluate_drive", "replay.launch bag:",
-                "simulated_crowd.launch density:")
 # They run until they are stopped, as every launch file does.
 ENDLESS_PROGRAMS = ("slam_gmapping", "person_detections_bridge", "static_transform_publisher")
 ENDLESS_WORDS = (["rosbag", "record"], ["rostopic", "echo"])
@@ -149,12 +146,10 @@ class DocumentedCommands(unittest.TestCase):
         cls.directory = Path(tempfile.mkdtemp(prefix="map_matcher_"))
         cls.addClassCleanup(shutil.rmtree, cls.directory, ignore_errors=True)
         shell = Shell(cls.directory)
-        cls.has_mrpt = "/map_bag" in shell.run("catkin_find --libexec map_matcher | xargs find").stdout
         commands = [
             f"rosrun map_matcher generate_building --seed {SEED} --output building.yaml",
-            f"rosrun map_matcher simulate_drive --map building.yaml --seed {SEED} --duration 20 --bag drive.bag"]
-        if cls.has_mrpt:
-            commands.append("rosrun map_matcher map_bag --bag drive.bag --output session.yaml")
+            f"rosrun map_matcher simulate_drive --map building.yaml --seed {SEED} --duration 20 --bag drive.bag",
+            "rosrun map_matcher map_bag --bag drive.bag --output session.yaml"]
         for command in commands:
             done = shell.run(command)
             if done.returncode != 0:
@@ -179,8 +174,6 @@ class DocumentedCommands(unittest.TestCase):
             self.skipTest("needs Docker")
         else:
             self.assertIn(small.words[0], ("rosrun", "roslaunch", "rosbag", "rostopic"), command)
-            if not self.has_mrpt and any(words in text for words in NEEDING_MRPT):
-                self.skipTest("nothing draws session maps here: MRPT is not installed")
             shell = Shell(self.directory)
             self.skip_where_missing(shell, small)
             (self.check_endless if small.is_endless() else self.check_ending)(shell, small)

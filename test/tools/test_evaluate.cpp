@@ -7,6 +7,7 @@
 #include <iterator>
 #include <string>
 
+#include "map_matcher/localization/monte_carlo_localizer.hpp"
 #include "support/program.hpp"
 #include "support/source_dir.hpp"
 #include "support/temporary_dir.hpp"
@@ -101,6 +102,9 @@ TEST_F(Evaluate, needsTheMapOfABag) {
 class EvaluateABag : public Evaluate {
  protected:
   void SetUp() override {
+    if (!localization::MonteCarloLocalizer::available()) {
+      GTEST_SKIP() << "MRPT is not in this build";
+    }
     ASSERT_EQ(test::runProgram(GENERATE_BUILDING, "--seed 1 --output " + map).exit_status, 0);
     const ProgramRun simulated =
         test::runProgram(SIMULATE_DRIVE, "--map " + map + " --seed 1 --duration 12 --beams 181 --bag " + bag);

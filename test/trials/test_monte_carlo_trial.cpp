@@ -40,7 +40,16 @@ struct Compared {
   std::vector<MonteCarloRow> rows;
 };
 
-TEST(MonteCarloTrial, HasARowForEachMapQuery) {
+class MonteCarloBesideATrial : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!localization::MonteCarloLocalizer::available()) {
+      GTEST_SKIP() << "MRPT is not in this build";
+    }
+  }
+};
+
+TEST_F(MonteCarloBesideATrial, HasARowForEachMapQuery) {
   const Compared compared(5.0);
 
   const std::vector<TrialQuery>& queries = compared.trial->matching().queries();
@@ -55,7 +64,7 @@ TEST(MonteCarloTrial, HasARowForEachMapQuery) {
   }
 }
 
-TEST(MonteCarloTrial, StartsWithoutAPoseInEachSession) {
+TEST_F(MonteCarloBesideATrial, StartsWithoutAPoseInEachSession) {
   const Compared compared(5.0);
 
   int sessions = 0;
@@ -71,7 +80,7 @@ TEST(MonteCarloTrial, StartsWithoutAPoseInEachSession) {
   EXPECT_EQ(sessions, 3);
 }
 
-TEST(MonteCarloTrial, WritesACellForEachName) {
+TEST_F(MonteCarloBesideATrial, WritesACellForEachName) {
   std::stringstream csv(toCsv(Compared(0.0).rows));
   std::string header;
   std::getline(csv, header);

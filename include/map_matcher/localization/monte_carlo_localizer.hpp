@@ -26,7 +26,11 @@ struct MonteCarloEstimate {
 /// thread-safe, not even two of them, since MRPT's random numbers are global.
 class MonteCarloLocalizer {
  public:
-  /// Throws std::invalid_argument that names every option out of range, or says that the map has no free cell.
+  /// Whether this build has it: MRPT was there.
+  static bool available();
+
+  /// Throws std::invalid_argument that names every option out of range, or says that the map has no free cell, and
+  /// std::runtime_error where it is not available.
   explicit MonteCarloLocalizer(const grid::OccupancyGrid& map, const MonteCarloOptions& options = {});
   ~MonteCarloLocalizer();
   MonteCarloLocalizer(const MonteCarloLocalizer&) = delete;
