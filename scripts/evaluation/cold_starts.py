@@ -1,7 +1,8 @@
 """Report figure 20: cold starts in crowds of growing density, with original and with scrubbed scans."""
 import matplotlib.pyplot as plt
 import office
-from pages import COLUMNS, arguments_of, draw_map, picture, save, section, table, write_table
+from map_picture import draw_map
+from pages import COLUMNS, arguments_of, picture, save, section, table, write_table
 from trials import Trial
 
 NAME = "cold_starts"

@@ -4,7 +4,8 @@ from pathlib import Path
 import buildings
 import office
 import sessions
-from pages import arguments_of, read_map, section, table, write_pairs, write_starts
+from map_picture import read_map
+from pages import arguments_of, section, table, write_pairs, write_starts
 from starts import outcome_table
 from trials import OUTCOMES, Pair, Trial
 
@@ -23,7 +24,8 @@ def worlds(runs, arguments):
         yield "generated_%d" % seed, world, reference, (0.0, 0.0, 55.0, 15.0)
     recorded = office.recorded_map(arguments)
     if recorded and not arguments.quick:
-        yield "asl_office", recorded, recorded, read_map(recorded)[1]
+        x_min, x_max, y_min, y_max = read_map(recorded)[1]
+        yield "asl_office", recorded, recorded, (x_min, y_min, x_max, y_max)
 
 
 def plan(runs, arguments):

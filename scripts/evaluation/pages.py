@@ -3,7 +3,6 @@ import csv
 import math
 
 import matplotlib
-import yaml
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
@@ -92,22 +91,6 @@ def save(figure, path):
     figure.tight_layout()
     figure.savefig(path, dpi=80)
     plt.close(figure)
-
-
-def read_map(path):
-    """The image of a map file and its extent [m]: x_min, y_min, x_max, y_max; of maps that are not turned."""
-    with open(path, encoding="utf-8") as file:
-        description = yaml.safe_load(file)
-    image = plt.imread(path.parent / description["image"])
-    x, y = description["origin"][:2]
-    width, height = (description["resolution"] * cells for cells in image.shape[1::-1])
-    return image, (x, y, x + width, y + height)
-
-
-def draw_map(axis, path):
-    """The walls of a map file behind what is drawn on the axis."""
-    image, (x_min, y_min, x_max, y_max) = read_map(path)
-    axis.imshow(image, cmap="gray", extent=(x_min, x_max, y_min, y_max), alpha=0.6)
 
 
 def stage_time(row, stage):

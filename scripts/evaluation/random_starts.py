@@ -1,7 +1,8 @@
 """Cold starts at random places of an office, in crowds of growing density, with original and with scrubbed scans."""
 import matplotlib.pyplot as plt
 import office
-from pages import arguments_of, draw_map, picture, save, section, write_starts
+from map_picture import draw_map
+from pages import arguments_of, picture, save, section, write_starts
 from starts import outcome_table
 from trials import PATIENCE, RIGHT, TURN, Trial
 

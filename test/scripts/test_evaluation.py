@@ -11,7 +11,7 @@ import unittest
 from pathlib import Path
 
 CHECKOUT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(CHECKOUT / "scripts" / "evaluation"))
+sys.path[:0] = [str(CHECKOUT / "scripts"), str(CHECKOUT / "scripts" / "evaluation")]
 
 import announced  # noqa: E402
 import candidates  # noqa: E402

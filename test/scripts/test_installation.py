@@ -14,7 +14,7 @@ CHECKOUT = Path(__file__).resolve().parents[2]
 BUILD = os.environ.get("MAP_MATCHER_BUILD")
 DEADLINE = 120  # [s] for one command
 TOOLS = ("evaluate_drive", "generate_building", "map_bag", "map_quality", "match_maps", "scrub_bag", "simulate_drive",
-         "person_detections_bridge", "plot_run", "plot_scrubbed")
+         "person_detections_bridge", "plot_cold_starts", "plot_run", "plot_scrubbed", "plot_session_maps")
 
 CONSUMER_LISTS = """cmake_minimum_required(VERSION 3.16)
 project(consumer LANGUAGES CXX)
