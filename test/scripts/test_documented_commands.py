@@ -173,7 +173,7 @@ class DocumentedCommands(unittest.TestCase):
         elif small.words[0] == "docker":
             self.skipTest("needs Docker")
         else:
-            self.assertIn(small.words[0], ("rosrun", "roslaunch", "rosbag", "rostopic"), command)
+            self.assertIn(small.words[0], ("rosrun", "roslaunch", "rosbag", "rostopic", "rostest"), command)
             shell = Shell(self.directory)
             self.skip_where_missing(shell, small)
             (self.check_endless if small.is_endless() else self.check_ending)(shell, small)
