@@ -9,6 +9,7 @@
 #include "map_matcher/ros/evaluation/pose_evaluator_server.hpp"
 #include "map_matcher/ros/mapping/session_mapper_server_options.hpp"
 #include "map_matcher/ros/matching/map_matcher_server_options.hpp"
+#include "map_matcher/ros/merging/scan_merger_server_options.hpp"
 #include "map_matcher/ros/scrubbing/lidar_scrubber_server_options.hpp"
 #include "map_matcher/ros/simulation/crowd_simulator_server_options.hpp"
 #include "support/source_dir.hpp"
@@ -60,6 +61,11 @@ struct PoseEvaluatorFile {
   static constexpr const char* kPath = "config/pose_evaluator.yaml";
 };
 
+struct ScanMergerFile {
+  using Options = ros_merging::ScanMergerServerOptions;
+  static constexpr const char* kPath = "config/scan_merger.yaml";
+};
+
 struct SessionMapperFile {
   using Options = ros_mapping::SessionMapperServerOptions;
   static constexpr const char* kPath = "config/session_mapper.yaml";
@@ -74,8 +80,8 @@ class ParameterFile : public testing::Test {
   std::map<std::string, Entry> entries = readEntries(test::sourceFile(File::kPath));
 };
 
-using Files =
-    testing::Types<CrowdSimulatorFile, LidarScrubberFile, MapMatcherFile, PoseEvaluatorFile, SessionMapperFile>;
+using Files = testing::Types<CrowdSimulatorFile, LidarScrubberFile, MapMatcherFile, PoseEvaluatorFile, ScanMergerFile,
+                             SessionMapperFile>;
 TYPED_TEST_SUITE(ParameterFile, Files, );
 
 TYPED_TEST(ParameterFile, NamesEveryParameterAndNoOther) {

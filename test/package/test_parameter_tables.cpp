@@ -9,6 +9,7 @@
 #include "map_matcher/ros/evaluation/pose_evaluator_server.hpp"
 #include "map_matcher/ros/mapping/session_mapper_server_options.hpp"
 #include "map_matcher/ros/matching/map_matcher_server_options.hpp"
+#include "map_matcher/ros/merging/scan_merger_server_options.hpp"
 #include "map_matcher/ros/scrubbing/lidar_scrubber_server_options.hpp"
 #include "map_matcher/ros/simulation/crowd_simulator_server_options.hpp"
 #include "support/source_dir.hpp"
@@ -84,6 +85,7 @@ TEST(ParameterPage, ListsEveryParameterOfEveryNodeWithItsDefaultAndItsRange) {
   expectPart<ros_matching::MapMatcherServerOptions>("map_matcher");
   expectPart<ros_scrubbing::LidarScrubberServerOptions>("lidar_scrubber");
   expectPart<ros_mapping::SessionMapperServerOptions>("session_mapper");
+  expectPart<ros_merging::ScanMergerServerOptions>("scan_merger");
   expectPart<ros_simulation::CrowdSimulatorServerOptions>("crowd_simulator");
   expectPart<ros_evaluation::PoseEvaluatorOptions>("pose_evaluator");
 }

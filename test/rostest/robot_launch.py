@@ -29,10 +29,12 @@ ROBOTS = {
         "raw": ["/sick_laser_front/scan", "/sick_laser_rear/scan"],
         "read_by_mapper": ["/sick_laser_front/scan_scrubbed", "/sick_laser_rear/scan_scrubbed"],
         "detections": "[person_detections/front, person_detections/rear]",
-        "arguments": ["combiner:=none"],  # it is not to be had everywhere
+        "arguments": [],
         "frames": ("map", "gmap", "odom", "base_footprint"),  # the reference map is the simulator's
     },
 }
+# As for slam_gmapping, which reads one scan.
+MERGED = {"read_by_mapper": ["/merged_scan_scrubbed"], "arguments": ["merge:=true"]}
 
 
 class Graph:
@@ -48,7 +50,7 @@ class RobotLaunch(unittest.TestCase):
         self.directory = tempfile.TemporaryDirectory()
         self.addCleanup(self.directory.cleanup)
         self.name = rospy.get_param("~robot")
-        self.robot = ROBOTS[self.name]
+        self.robot = {**ROBOTS[self.name], **(MERGED if rospy.get_param("~merge", False) else {})}
 
     def launch(self, launch_file, *arguments):
         process = subprocess.Popen(["roslaunch", "--wait", "map_matcher", launch_file, *arguments])
@@ -79,12 +81,13 @@ class RobotLaunch(unittest.TestCase):
     def assert_scans_are_kept_apart(self):
         graph = Graph()
         mapper = {"/session_mapper"}
+        readers = mapper | {"/map_matcher_nodelets"}  # the scan_merger is one of them
         for topic in self.robot["raw"]:
             self.assertEqual(graph.publishers[topic], {"/crowd_simulator"}, "raw scans are the driver's alone")
             self.assertEqual(graph.subscribers[topic], {"/map_matcher_nodelets"}, topic)
             scrubbed = topic + "_scrubbed"
             self.assertEqual(graph.publishers[scrubbed], {"/map_matcher_nodelets"}, "scrubbers run in one manager")
-            self.assertLessEqual(graph.subscribers.get(scrubbed, set()), mapper, "nothing but the mapper reads " + scrubbed)
+            self.assertLessEqual(graph.subscribers.get(scrubbed, set()), readers, "nothing but the mapper reads " + scrubbed)
         for topic in self.robot["read_by_mapper"]:
             self.assertEqual(graph.subscribers[topic], mapper)
 

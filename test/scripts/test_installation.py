@@ -88,7 +88,8 @@ class Installation(unittest.TestCase):
 
     def test_the_nodelet_is_known_and_loadable(self):
         self.assertIn("map_matcher", self.run_installed("rospack plugins --attrib=plugin nodelet"))
-        self.run_installed("python3 -c 'import ctypes; ctypes.CDLL(\"liblidar_scrubber_nodelet.so\")'")
+        for name in ("lidar_scrubber", "scan_merger"):
+            self.run_installed(f"python3 -c 'import ctypes; ctypes.CDLL(\"lib{name}_nodelet.so\")'")
 
     def test_every_header_that_leads_no_source_compiles_alone(self):
         headers = sorted((self.prefix / "include/map_matcher").rglob("*.hpp"))

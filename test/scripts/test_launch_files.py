@@ -44,7 +44,7 @@ class RobotLaunchFiles(unittest.TestCase):
     def test_the_pepper_with_both_lasers(self):
         nodes, parameters = load("pepper.launch", "map:=/maps/building.yaml", "detector:=true", "weight_file:=/weights.pth")
 
-        self.assertEqual({"front_lidar_scrubber", "rear_lidar_scrubber", "map_matcher_nodelets", "combiner", "dr_spaam_front",
+        self.assertEqual({"front_lidar_scrubber", "rear_lidar_scrubber", "map_matcher_nodelets", "scan_merger", "dr_spaam_front",
                           "dr_spaam_rear", "slam_gmapping", "map_matcher"}, set(nodes))
         for side in ("front", "rear"):
             raw = f"sick_laser_{side}/scan"
@@ -54,16 +54,16 @@ class RobotLaunchFiles(unittest.TestCase):
             self.assertEqual(0.4, parameters[f"/dr_spaam_{side}/conf_thresh"])
             self.assertIn(parameters[f"/dr_spaam_{side}/publisher/detections/topic"],
                           parameters["/front_lidar_scrubber/detection_topics"])
-        self.assertEqual("sick_laser_front/scan_scrubbed sick_laser_rear/scan_scrubbed",
-                         parameters["/combiner/laserscan_topics"])
-        self.assertEqual("combined_scan_scrubbed", parameters["/combiner/scan_destination_topic"])
-        self.assertEqual("combined_scan_scrubbed", remapped(nodes["slam_gmapping"], "scan"))
+        self.assertEqual(["sick_laser_front/scan_scrubbed", "sick_laser_rear/scan_scrubbed"],
+                         parameters["/scan_merger/scan_topics"])
+        self.assertEqual("merged_scan_scrubbed", remapped(nodes["scan_merger"], "merged_scan"))
+        self.assertEqual("merged_scan_scrubbed", remapped(nodes["slam_gmapping"], "scan"))
         self.assertGreaterEqual(parameters["/slam_gmapping/maxUrange"], parameters["/slam_gmapping/maxRange"])
         self.assertEqual("reference_map", parameters["/map_matcher/reference_frame"])
         self.assertEqual("gmap", parameters["/slam_gmapping/map_frame"])
 
     def test_raw_scans_reach_the_mapper_only_without_the_scrubber(self):
-        for name, raw in (("pioneer.launch", "scan"), ("pepper.launch", "combined_scan")):
+        for name, raw in (("pioneer.launch", "scan"), ("pepper.launch", "merged_scan")):
             nodes, parameters = load(name, "scrub:=false")
 
             self.assertEqual(raw, remapped(nodes["slam_gmapping"], "scan"))

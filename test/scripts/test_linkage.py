@@ -8,7 +8,8 @@ from pathlib import Path
 
 # Only what evaluates, simulates or draws session maps may link to these.
 NEEDLESS = ("mrpt", "rosbag", "_bags", "_evaluation", "_simulation", "_trials", "_mapping")
-ON_A_ROBOT = ("map_matcher/map_matcher_node", "map_matcher/lidar_scrubber", "liblidar_scrubber_nodelet.so")
+ON_A_ROBOT = ("map_matcher/map_matcher_node", "map_matcher/lidar_scrubber", "liblidar_scrubber_nodelet.so",
+             "map_matcher/scan_merger", "libscan_merger_nodelet.so")
 
 
 def libraries_of(path):
