@@ -11,13 +11,13 @@ import tf2_msgs.msg
 from rosgraph_msgs.msg import Clock
 from sensor_msgs.msg import LaserScan
 
-from node_fixture import Listener, run, wait_until
-from scanned_room import range_in_room, stamped_transform
+from node_fixture import Listener, run, stamped_transform, wait_until
+from scanned_room import range_in_room
 
 BEGIN = 100.0  # [s], simulated time
 PERIOD = 0.1  # [s] between two scans
 REVOLUTION = 0.06  # [s]
-BEAMS = 541
+BEAMS = 1081
 APERTURE = 1.5 * math.pi
 SPEED, TURN_RATE = 0.5, 0.8  # [m/s], [rad/s]
 LASERS = {"front": (0.25, 0.05, 0.1), "rear": (-0.25, -0.05, math.pi)}  # in the base frame: x, y, yaw [m, rad]
@@ -151,4 +151,4 @@ class ScanMerger(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    run("scan_merger", ScanMerger)
+    run("merged_scans", ScanMerger)
