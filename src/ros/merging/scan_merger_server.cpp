@@ -160,13 +160,13 @@ bool ScanMergerServer::merge(const Set& set, bool is_late) {
 /// The scan where its laser was, in base_frame at the time `target`; none where tf does not know it (yet).
 std::optional<scan::MovingScan> ScanMergerServer::placed(const sensor_msgs::LaserScan& scan, const ros::Time& target) {
   const std::string frame = ros_common::frameName(scan.header.frame_id);
-  const auto mountAt = [&](const ros::Time& stamp) {
+  const auto mount_at = [&](const ros::Time& stamp) {
     return ros_common::laserMountFrom(
         tf_.lookupTransform(options_.base_frame, target, frame, stamp, options_.fixed_frame).transform);
   };
   try {
-    const scan::LaserMount first = mountAt(scan.header.stamp);
-    const scan::LaserMount last = mountAt(scan.header.stamp + revolutionOf(scan));
+    const scan::LaserMount first = mount_at(scan.header.stamp);
+    const scan::LaserMount last = mount_at(scan.header.stamp + revolutionOf(scan));
     return scan::MovingScan{ros_common::fromMessage(scan), first.T_base_laser, last.T_base_laser, first.upside_down};
   } catch (const std::runtime_error& error) {  // MessageError and tf2::TransformException
     tf_problem_ = error.what();
