@@ -25,8 +25,8 @@ LOOK_AGAIN = 0.2  # [s]
 SEED = 1
 
 # The documents with commands, in the order in which they are run; those of one document may build on each other.
-DOCUMENTS = ("README.md", "docs/interfaces.md", "docs/navigation.md", "docs/results.md", "docs/robots.md", "docs/tools.md",
-             "docs/tuning.md", "docs/tutorial.md")
+DOCUMENTS = ("README.md", "docs/interfaces.md", "docs/migration.md", "docs/navigation.md", "docs/results.md",
+             "docs/robots.md", "docs/tools.md", "docs/tuning.md", "docs/tutorial.md")
 
 # What makes a command small, or lets it do without a screen: more arguments behind it, or another text in it.
 MORE_ARGUMENTS = {

@@ -62,6 +62,20 @@ class RobotLaunchFiles(unittest.TestCase):
         self.assertEqual("reference_map", parameters["/map_matcher/reference_frame"])
         self.assertEqual("gmap", parameters["/slam_gmapping/map_frame"])
 
+    def test_the_names_of_the_report_s_own_package(self):
+        nodes, parameters = load("report_names.launch", "slam_map_topic:=/gmap", "reference_map_name:=asl",
+                                 "maps_folder:=/maps", "reference_map_frame:=world", "acceptance_ratio:=0.4",
+                                 "output:=log", "launch_prefix:=nice", "reference_map_downsampling_passes:=2")
+
+        self.assertEqual({"map_matcher"}, set(nodes))
+        self.assertEqual("/gmap", remapped(nodes["map_matcher"], "session_map"))
+        self.assertEqual("/world", remapped(nodes["map_matcher"], "~reference_map"))
+        self.assertEqual(("log", "nice"), (nodes["map_matcher"].output, nodes["map_matcher"].launch_prefix))
+        self.assertEqual("/maps/asl.yaml", parameters["/map_matcher/reference_map_file"])
+        self.assertEqual("world", parameters["/map_matcher/reference_frame"])
+        self.assertEqual(0.4, parameters["/map_matcher/acceptance_ratio"])
+        self.assertEqual("session_to_reference", parameters["/map_matcher/tf_mode"])
+
     def test_raw_scans_reach_the_mapper_only_without_the_scrubber(self):
         for name, raw in (("pioneer.launch", "scan"), ("pepper.launch", "merged_scan")):
             nodes, parameters = load(name, "scrub:=false")
