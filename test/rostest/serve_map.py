@@ -43,6 +43,11 @@ class ServeMap(NodeFixture):
             self.assertEqual(code, BAD_INPUT)
             self.assertIn("~serve_map is true, but maps are taken from /map", output)
 
+    def test_4_the_map_in_use_is_no_new_one(self):
+        code, output = run_node("map_matcher_node", {"~reference_map": "reference_map"})
+        self.assertEqual(code, BAD_INPUT)
+        self.assertIn("~reference_map is remapped to /reference_map, but maps are taken from /reference_map", output)
+
 
 if __name__ == "__main__":
     run("serve_map", ServeMap)

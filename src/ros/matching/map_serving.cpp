@@ -9,20 +9,29 @@
 #include "map_matcher/ros/common/names.hpp"
 
 namespace map_matcher::ros_matching {
+namespace {
 
-MapServing::MapServing(ros::NodeHandle node, ros::NodeHandle private_node, bool enabled,
-                       const std::vector<std::string>& taken)
-    : enabled_(enabled),
-      reference_publisher_(private_node.advertise<nav_msgs::OccupancyGrid>(ros_common::names::kReferenceMap, 1, true)) {
-  if (!enabled_) {
-    return;
-  }
-  const std::string topic = node.resolveName(ros_common::names::kMap);
+/// Otherwise the node would take its own map for a new one, again and again.
+void requireNotTaken(const std::string& topic, const std::vector<std::string>& taken, const std::string& what) {
   if (std::find(taken.begin(), taken.end(), topic) != taken.end()) {
-    throw std::invalid_argument("~serve_map is true, but maps are taken from " + topic +
+    throw std::invalid_argument(what + ", but maps are taken from " + topic +
                                 ", on which the reference map would be served: let the mapper publish elsewhere "
                                 "(_map:=session_map), and remap session_map and reference_map accordingly");
   }
+}
+
+}  // namespace
+
+MapServing::MapServing(ros::NodeHandle node, ros::NodeHandle private_node, bool enabled,
+                       const std::vector<std::string>& taken)
+    : enabled_(enabled) {
+  const std::string reference_topic = private_node.resolveName(ros_common::names::kReferenceMap);
+  requireNotTaken(reference_topic, taken, "~reference_map is remapped to " + reference_topic);
+  reference_publisher_ = private_node.advertise<nav_msgs::OccupancyGrid>(ros_common::names::kReferenceMap, 1, true);
+  if (!enabled_) {
+    return;
+  }
+  requireNotTaken(node.resolveName(ros_common::names::kMap), taken, "~serve_map is true");
   map_publisher_ = node.advertise<nav_msgs::OccupancyGrid>(ros_common::names::kMap, 1, true);
   metadata_publisher_ = node.advertise<nav_msgs::MapMetaData>(ros_common::names::kMapMetadata, 1, true);
   static_map_ = node.advertiseService<nav_msgs::GetMap::Request, nav_msgs::GetMap::Response>(

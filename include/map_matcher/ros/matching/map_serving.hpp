@@ -19,7 +19,7 @@ namespace map_matcher::ros_matching {
 /// several reference maps, that is the one which the robot was last found in. Thread-safe.
 class MapServing {
  public:
-  /// Serves it as map_server does only if `enabled`. Throws std::invalid_argument when maps are taken from the topic
+  /// Serves it as map_server does only if `enabled`. Throws std::invalid_argument when maps are taken from a topic
   /// that this one is served on: `taken` are the names of these topics.
   MapServing(ros::NodeHandle node, ros::NodeHandle private_node, bool enabled, const std::vector<std::string>& taken);
 
