@@ -25,8 +25,8 @@ def run_node(executable, remappings=None, **parameters):
     """Starts a node of this package with remapped names and private parameters, waits until it ends, and returns its
     exit code and output."""
     arguments = ["%s:=%s" % item for item in (remappings or {}).items()]
-    done = subprocess.run([*node_command(executable, "under_test", **parameters), *arguments], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                          timeout=DEADLINE, check=False)
+    done = subprocess.run([*node_command(executable, "under_test", **parameters), *arguments], stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, timeout=DEADLINE, check=False)
     rospy.delete_param("/under_test")
     return done.returncode, done.stdout.decode()
 

@@ -89,7 +89,7 @@ class RobotLaunchFiles(unittest.TestCase):
 
         self.assertIn("localization_diagnostics", nodes)
         analyzers = {key.split("/")[3] for key in parameters if key.startswith("/localization_diagnostics/analyzers/")}
-        self.assertEqual({"matcher", "scrubbers"}, analyzers)
+        self.assertEqual({"matcher", "scans"}, analyzers)
 
     def test_a_mapper_that_is_not_there_is_named(self):
         with self.assertRaisesRegex(Exception, "slam_toolbox"):
