@@ -27,7 +27,8 @@ def run_node(executable, remappings=None, **parameters):
     arguments = ["%s:=%s" % item for item in (remappings or {}).items()]
     done = subprocess.run([*node_command(executable, "under_test", **parameters), *arguments], stdout=subprocess.PIPE,
                           stderr=subprocess.STDOUT, timeout=DEADLINE, check=False)
-    rospy.delete_param("/under_test")
+    if rospy.has_param("/under_test"):
+        rospy.delete_param("/under_test")
     return done.returncode, done.stdout.decode()
 
 
