@@ -14,6 +14,11 @@ PeopleRemoval::PeopleRemoval(const ScrubbingOptions& options, PoseOf pose_of, st
   }
 }
 
+void PeopleRemoval::setOptions(const ScrubbingOptions& options) {
+  options_ = options;
+  cache_.setOptions(options.cache);
+}
+
 std::optional<std::string> PeopleRemoval::onScan(const RawScan& scan) {
   scan.layout.validate();
   if (scan.ranges->empty()) {

@@ -22,7 +22,8 @@ SYSTEM = {
     "mrpt_libslam": {"libmrpt-slam-dev", "ros-noetic-mrpt-libslam", "ros-noetic-mrpt2"},
 }
 # Names of Debian's packages of a ROS package that do not follow from its name.
-OTHER_DEBIAN_NAMES = {"nodelet": {"libnodeletlib-dev", "libnodeletlib-tools"}}
+OTHER_DEBIAN_NAMES = {"dynamic_reconfigure": {"libdynamic-reconfigure-config-init-mutex-dev"},
+                      "nodelet": {"libnodeletlib-dev", "libnodeletlib-tools"}}
 # Installed beside what package.xml names: rosdep brings them with something else, or they are for developers only.
 NOT_IN_PACKAGE_XML = {"build-essential", "catkin-lint", "clang-format-14", "clang-tidy-14", "cmake", "git",
                       "libbenchmark-dev", "libgmock-dev", "libgtest-dev", "ros-actionlib-msgs", "rosbash",

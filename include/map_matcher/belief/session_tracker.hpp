@@ -55,6 +55,10 @@ class SessionTracker {
 
   const MatchOptions& options() const { return options_; }
 
+  /// What counts from the next map on. What is believed stays. What findPlaces() found with the options before is not
+  /// to be concluded any more: it may prove too little.
+  void setOptions(const MatchOptions& options) { options_ = options; }
+
   /// A map has come, and is going to be searched. When it begins a new session, all that was believed is forgotten, and
   /// nothing of it is to be broadcast any more: the reason why it does; else "".
   std::string arrive(const SessionMapTraits& traits);

@@ -35,6 +35,9 @@ class DetectionCache {
 
   void clear() { sets_.clear(); }
 
+  /// What counts from the next scan on, for the sets that are kept, too.
+  void setOptions(const CacheOptions& options) { options_ = options; }
+
   /// Drops the sets that apply neither to a scan of this stamp nor to later ones.
   void forget(Stamp scan_stamp);
 

@@ -52,6 +52,9 @@ class DetectorWatch {
  public:
   DetectorWatch(const std::vector<std::string>& topics, const DetectorLimits& limits);
 
+  /// What counts from now on.
+  void setLimits(const DetectorLimits& limits) { limits_ = limits; }
+
   /// Begins anew, as when time goes back.
   void restart(Stamp now);
 

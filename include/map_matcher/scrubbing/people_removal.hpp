@@ -39,6 +39,9 @@ class PeopleRemoval {
   /// (mode cached).
   PeopleRemoval(const ScrubbingOptions& options, PoseOf pose_of, std::optional<double> wait = std::nullopt);
 
+  /// What counts from the next scan and the next detections on. Nothing is forgotten, and waiting scans go on waiting.
+  void setOptions(const ScrubbingOptions& options);
+
   /// To be called for each scan as it comes. When its stamp went back by more than cache_duration, or its frame is
   /// another than the last one's, forgets all detections and says why. Throws std::invalid_argument for a scan that
   /// makes no sense, which changes nothing.

@@ -21,7 +21,6 @@ constexpr double kWarningPeriod = 10.0;  // between two warnings of the same kin
 MapMatcherServer::MapMatcherServer(ros::NodeHandle node, ros::NodeHandle private_node,
                                    const MapMatcherServerOptions& options)
     : tracker_(options.match),
-      matcher_(options.match.search),
       map_match_publisher_(node.advertise<MapMatch>(ros_common::names::kMapMatch, 1, true)),
       broadcaster_(node, tfModeOf(options.tf_mode), options.transform_tolerance),
       robot_(tf_, options.base_frame),
@@ -36,9 +35,10 @@ MapMatcherServer::MapMatcherServer(ros::NodeHandle node, ros::NodeHandle private
       operator_(node, private_node, robot_,
                 {[this] { return mapsInUse(); }, [this](const belief::Prior& prior) { suppose(prior); },
                  [this](const std::string& service) { forget(service); }}),
-      frame_diagnostics_(node, private_node, [this] { return contestedFrames(); }) {
+      frame_diagnostics_(node, private_node, [this] { return contestedFrames(); }),
+      reconfiguration_(private_node, options, [this](const MapMatcherServerOptions& changed) { onOptions(changed); }) {
   loadReferences(options);
-  services_.emplace(node, private_node, options.match, serviceActions());
+  services_.emplace(node, private_node, serviceActions());
   change_map_.emplace(node, [this, frame = options.reference_frame, root = options.map_root](const std::string& path) {
     requireMapBelow(root, path);
     return reference_source_.load(path, frame);
@@ -110,6 +110,15 @@ void MapMatcherServer::onReferences(const ReferenceMapList& references) {
   }
 }
 
+void MapMatcherServer::onOptions(const MapMatcherServerOptions& options) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  tracker_.setOptions(options.match);
+  worker_.cancel();  // it asks for proof of what counted before
+  if (session_) {
+    submitMatch(nullptr);
+  }
+}
+
 void MapMatcherServer::onTick() {
   const ros::Time now = ros::Time::now();
   if (followClock(now)) {
@@ -140,6 +149,10 @@ MatchServices::Actions MapMatcherServer::serviceActions() {
   actions.references = [this] {
     const std::lock_guard<std::mutex> lock(mutex_);
     return references_;
+  };
+  actions.options = [this] {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return tracker_.options();
   };
   actions.set_reference = [this](const nav_msgs::OccupancyGrid& map) { reference_source_.take(map); };
   actions.match_session = [this] { return matchSession(); };
@@ -203,13 +216,14 @@ void MapMatcherServer::submitMatch(const Answer& answer) {
     }
   };
   worker_.submit(
-      [this, finish, session = session_, references = references_,
+      [this, finish, session = session_, references = references_, options = tracker_.options(),
        plan = tracker_.plan()](const work::StopToken& stop) {
         belief::Findings findings;
         std::optional<MapMatch> refused =
             references.empty() ? noReferenceReport() : refuseEqualFrames(references, *session);
         if (!refused) {
-          findings = findPlaces(matcher_, searched(references), session->grid, tracker_.options(), plan, {}, stop);
+          findings = findPlaces(search::MapMatcher(options.search), searched(references), session->grid, options, plan,
+                                {}, stop);
         }
         const std::lock_guard<std::mutex> lock(mutex_);
         if (stop.stopRequested()) {

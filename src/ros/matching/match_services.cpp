@@ -31,9 +31,8 @@ parameters::Parameter field(const char* name, const char* unit, double& value,
 
 }  // namespace
 
-MatchServices::MatchServices(ros::NodeHandle node, ros::NodeHandle private_node, const belief::MatchOptions& options,
-                             Actions actions)
-    : options_(options), actions_(std::move(actions)) {
+MatchServices::MatchServices(ros::NodeHandle node, ros::NodeHandle private_node, Actions actions)
+    : actions_(std::move(actions)) {
   node.setCallbackQueue(&queue_);
   private_node.setCallbackQueue(&queue_);
   match_to_reference_ =
@@ -51,7 +50,7 @@ MatchServices::~MatchServices() {
 
 bool MatchServices::onMatchToReference(MatchToReference::Request& request, MatchToReference::Response& response) {
   try {
-    const belief::MatchOptions options = optionsOf(request, options_);
+    const belief::MatchOptions options = optionsOf(request, actions_.options());
     requireValid(options);
     response.match = matchMessage(options, actions_.references(), request.session_map, constraintsOf(request), stop_);
   } catch (const std::invalid_argument& error) {

@@ -62,7 +62,9 @@ LidarScrubberServer::LidarScrubberServer(ros::NodeHandle node, const ros::NodeHa
       veto_(node, transforms_, options_.wall_veto_distance),
       display_(node),
       diagnostics_(node, private_node, {record_, detectors_, removal_, veto_, guard_}),
-      scan_publisher_(node.advertise<sensor_msgs::LaserScan>("scan_scrubbed", kScanQueue)) {
+      scan_publisher_(node.advertise<sensor_msgs::LaserScan>("scan_scrubbed", kScanQueue)),
+      reconfiguration_(private_node, options_,
+                       [this](const LidarScrubberServerOptions& changed) { onOptions(changed); }) {
   detectors_.restart(rosNow());
   for (const std::string& topic : options_.detection_topics) {
     detection_subscribers_.push_back(std::make_unique<DetectionSubscriber>(
@@ -88,6 +90,12 @@ void LidarScrubberServer::onScan(const sensor_msgs::LaserScanConstPtr& scan) {
 
 void LidarScrubberServer::onDetections(scrubbing::DetectionSet set) {
   guard_.run("detections of " + set.source, [&] { takeDetections(std::move(set)); });
+}
+
+void LidarScrubberServer::onOptions(const LidarScrubberServerOptions& options) {
+  options_ = checked(options);
+  detectors_.setLimits(limitsOf(options_));
+  removal_.setOptions(options_.scrubbing);
 }
 
 void LidarScrubberServer::takeScan(const sensor_msgs::LaserScanConstPtr& scan) {

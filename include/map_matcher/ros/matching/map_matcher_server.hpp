@@ -2,6 +2,7 @@
 /// The map_matcher node: session maps in, their alignment with the reference map out.
 #pragma once
 
+#include <map_matcher/MapMatcherConfig.h>
 #include <ros/message_event.h>
 #include <ros/node_handle.h>
 #include <tf2_ros/buffer.h>
@@ -17,6 +18,7 @@
 #include <vector>
 
 #include "map_matcher/belief/session_tracker.hpp"
+#include "map_matcher/ros/common/reconfiguration.hpp"
 #include "map_matcher/ros/common/rising_clock.hpp"
 #include "map_matcher/ros/matching/alignment_broadcaster.hpp"
 #include "map_matcher/ros/matching/change_map_service.hpp"
@@ -32,7 +34,6 @@
 #include "map_matcher/ros/matching/robot_announcer.hpp"
 #include "map_matcher/ros/matching/robot_pose_source.hpp"
 #include "map_matcher/ros/matching/session_map.hpp"
-#include "map_matcher/search/map_matcher.hpp"
 #include "map_matcher/work/latest_job_worker.hpp"
 
 namespace map_matcher::ros_matching {
@@ -54,6 +55,7 @@ class MapMatcherServer {
   void onSessionMap(const MapEvent& event);
   void loadReferences(const MapMatcherServerOptions& options);
   void onReferences(const ReferenceMapList& references);
+  void onOptions(const MapMatcherServerOptions& options);
   void onTick();
   void tellWhatIsMissing();
 
@@ -79,7 +81,6 @@ class MapMatcherServer {
   SessionMapPtr session_;  // the newest that can be used
   ReferenceMapList references_;
   belief::SessionTracker tracker_;
-  const search::MapMatcher matcher_;
   MatchRecord record_;
   std::atomic<std::uint32_t> dropped_session_maps_{0};
   std::uint8_t last_status_ = MapMatch::STOPPED;  // the worker's
@@ -104,6 +105,7 @@ class MapMatcherServer {
   std::optional<ChangeMapService> change_map_;
   std::optional<MatchDiagnostics> diagnostics_;
   FrameDiagnostics frame_diagnostics_;
+  ros_common::Reconfiguration<MapMatcherConfig, MapMatcherServerOptions> reconfiguration_;
 };
 
 }  // namespace map_matcher::ros_matching

@@ -24,13 +24,13 @@ class MatchServices {
   /// What the services act on; called on the services' thread.
   struct Actions {
     std::function<ReferenceMapList()> references;                         ///< The reference maps in use.
+    std::function<belief::MatchOptions()> options;                        ///< The node's.
     std::function<void(const nav_msgs::OccupancyGrid&)> set_reference;    ///< Throws MessageError.
     std::function<std::optional<std::future<MapMatch>>()> match_session;  ///< Nothing when there is no session map.
     std::function<void(MapMatch&)> complete;                              ///< Fills in the header's stamp and counts.
   };
 
-  MatchServices(ros::NodeHandle node, ros::NodeHandle private_node, const belief::MatchOptions& options,
-                Actions actions);
+  MatchServices(ros::NodeHandle node, ros::NodeHandle private_node, Actions actions);
 
   /// Stops a search that a caller waits for.
   ~MatchServices();
@@ -43,7 +43,6 @@ class MatchServices {
   bool onSetReferenceMap(SetReferenceMap::Request& request, SetReferenceMap::Response& response);
   bool onMatchNow(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
 
-  const belief::MatchOptions options_;
   Actions actions_;
   work::StopToken stop_;
   ros::CallbackQueue queue_;

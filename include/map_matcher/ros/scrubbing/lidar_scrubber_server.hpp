@@ -2,6 +2,7 @@
 /// The lidar_scrubber: scans in, scans without people out.
 #pragma once
 
+#include <map_matcher/LidarScrubberConfig.h>
 #include <ros/node_handle.h>
 #include <sensor_msgs/LaserScan.h>
 #include <tf2_ros/buffer.h>
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "map_matcher/ros/common/callback_guard.hpp"
+#include "map_matcher/ros/common/reconfiguration.hpp"
 #include "map_matcher/ros/common/tf_transforms.hpp"
 #include "map_matcher/ros/scrubbing/detection_subscriber.hpp"
 #include "map_matcher/ros/scrubbing/lidar_scrubber_server_options.hpp"
@@ -39,6 +41,7 @@ class LidarScrubberServer {
   void onScan(const sensor_msgs::LaserScanConstPtr& scan);
   void onDetections(scrubbing::DetectionSet set);
   void onBadDetections(const std::string& topic, const std::string& reason);
+  void onOptions(const LidarScrubberServerOptions& options);
 
   void takeScan(const sensor_msgs::LaserScanConstPtr& scan);
   std::optional<scrubbing::RawScan> usable(const sensor_msgs::LaserScanConstPtr& scan, scrubbing::Stamp now);
@@ -52,7 +55,7 @@ class LidarScrubberServer {
   void tellOf(const sensor_msgs::LaserScanConstPtr& scan, const scrubbing::ScrubbedScan& scrubbed);
   void tellOfPaths();
 
-  const LidarScrubberServerOptions options_;
+  LidarScrubberServerOptions options_;
   ros_common::CallbackGuard guard_;
   scrubbing::DetectorWatch detectors_;
   ScanRecord record_;
@@ -69,6 +72,7 @@ class LidarScrubberServer {
   std::vector<std::unique_ptr<DetectionSubscriber>> detection_subscribers_;
   ros::Subscriber scan_subscriber_;
   ros::SteadyTimer waiting_timer_;
+  ros_common::Reconfiguration<LidarScrubberConfig, LidarScrubberServerOptions> reconfiguration_;
 };
 
 }  // namespace map_matcher::ros_scrubbing
