@@ -11,7 +11,7 @@ from parameter_files import parameters_of
 RECONFIGURABLE = {
     "map_matcher": ["min_probability", "tentative_probability", "min_hit_ratio", "min_margin", "maps_per_proof",
                     "follow_alignment", "confirm_relocation", "nearby_distance", "min_nearby_ratio", "min_nearby_walls",
-                    "exact_deadline", "threads"],
+                    "withdraw_when_lost", "exact_deadline", "threads"],
     "lidar_scrubber": ["score_threshold", "max_detections", "removal_radius", "removed_range", "max_removed_fraction",
                        "cache_duration", "radius_growth", "max_removal_radius", "silence_warning", "silence_error",
                        "on_silence"],

@@ -36,6 +36,9 @@ parameters::ParameterList parametersOf(BeliefOptions& options) {
       {"min_nearby_walls", "",
        "and a smaller share of the reference map's walls there is in the session map; 0 to never say so.",
        &options.min_nearby_walls, 0.0, 1.0},
+      {"withdraw_when_lost", "",
+       "Whether the alignment is taken off tf while the robot is lost; else that is only told, and tf is wrong.",
+       &options.withdraw_when_lost},
   };
 }
 

@@ -151,7 +151,7 @@ Broadcast SessionTracker::remember(const Findings& findings, const Answer& answe
     case MatchStatus::kRobotLost:
       forgetDoubts();
       robot_was_lost_ = true;
-      return Broadcast::kWithdraw;
+      return options_.belief.withdraw_when_lost ? Broadcast::kWithdraw : Broadcast::kKeep;
     case MatchStatus::kUnconfirmed:
       contender_ = Unconfirmed{place, digest};
       break;

@@ -170,5 +170,21 @@ TEST(SessionTracker, WithdrawsTheAlignmentWhileTheMapDoesNotFitAroundTheRobot) {
   EXPECT_EQ(unknown.answer.status, MatchStatus::kRobotLost) << "nor does a robot whose place is not known";
 }
 
+TEST(SessionTracker, OnlyTellsOfARobotThatIsLostWhereThatIsAskedFor) {
+  const search::Reference reference(wallMap(30), {});
+  MatchOptions options;
+  options.belief.withdraw_when_lost = false;
+  SessionTracker tracker{options};
+  const search::SearchResult here = resultOf(Found::kPlace, 0.0);
+  const Eigen::Vector2d robot(2.5, 1.0);
+  tracker.conclude({here}, {&reference}, wallMap(30), robot);
+
+  const Decision lost = tracker.conclude({here}, {&reference}, wallMap(45), robot);
+
+  EXPECT_EQ(lost.answer.status, MatchStatus::kRobotLost) << lost.answer.reason;
+  EXPECT_EQ(lost.broadcast, Broadcast::kKeep);
+  EXPECT_EQ(lost.state, SessionState::kLost);
+}
+
 }  // namespace
 }  // namespace map_matcher::belief

@@ -6,6 +6,7 @@ import rospy
 import tf2_ros
 from diagnostic_msgs.msg import DiagnosticStatus
 from geometry_msgs.msg import PoseWithCovarianceStamped
+from std_msgs.msg import String
 
 from building import FREE, OCCUPIED, reference_map, session_map
 from map_matcher.msg import MapMatch
@@ -56,7 +57,9 @@ class RobotLost(NodeFixture):
         return self.map_match.wait_for(lambda match: match.session_stamp == session.header.stamp, "map_match")
 
     def test_takes_the_alignment_off_tf_until_the_map_fits_around_the_robot(self):
+        speech = Listener("speech", String)
         match = self.match_with_robot(session_map(START), ROBOT)
+        speech.wait_for(lambda said: said.data == "I know where I am, in map.", "a sentence")
         self.pose.wait_for(lambda _: True, "match_pose: the node knows where the robot is")
         self.assertGreater(match.nearby_cells, 30)
         self.assertGreater(match.nearby_ratio, 0.9)
@@ -66,6 +69,7 @@ class RobotLost(NodeFixture):
 
         self.assertEqual(lost.status, MapMatch.ROBOT_LOST, lost.reason)
         self.assertEqual(lost.status_text, "robot_lost")
+        speech.wait_for(lambda said: said.data == "I am lost.", "a sentence")
         self.assertLess(lost.nearby_ratio, 0.5)
         self.assertGreater(lost.hit_ratio, 0.6)
         self.assertTrue(math.isnan(lost.T_reference_session.translation.x))
@@ -76,6 +80,8 @@ class RobotLost(NodeFixture):
 
         self.assertEqual(self.match_with_robot(session_map(START), ROBOT).status_text, "matched")
         self.assert_pose(self.wait_for_tf("map", "session_map").transform, START)
+        self.assertEqual(self.match_with_robot(session_map(START), ROBOT).status_text, "matched")
+        speech.wait_for(lambda _: len(speech.messages) == 3, "a third sentence, and no fourth")
 
     def test_is_asked_of_where_the_robot_was_at_the_stamp_of_the_map(self):
         self.assertEqual(self.match_with_robot(session_map(START), ELSEWHERE).status_text, "matched")

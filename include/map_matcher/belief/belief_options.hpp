@@ -19,6 +19,7 @@ struct BeliefOptions {
   double nearby_distance = 3.0;    ///< [m] How far the surroundings of the robot reach.
   double min_nearby_ratio = 0.5;   ///< Smallest share of hits in them that speaks for the robot's pose; 0 = any.
   double min_nearby_walls = 0.9;   ///< The same for the share of the reference map's walls found there.
+  bool withdraw_when_lost = true;  ///< Whether the alignment is not broadcast while the robot is lost.
 };
 
 /// The parameters that fill `options`, by the names they have in config/map_matcher.yaml.

@@ -27,6 +27,7 @@ MapMatcherServer::MapMatcherServer(ros::NodeHandle node, ros::NodeHandle private
       pose_publisher_(node, robot_),
       announcer_(node, robot_, options.robot),
       overlay_publisher_(node),
+      speech_(node, options.publish_speech),
       reference_source_(node, options.match.search,
                         [this](const ReferenceMapList& references) { onReferences(references); }),
       session_subscriber_(node.subscribe(ros_common::names::kSessionMap, 1, &MapMatcherServer::onSessionMap, this)),
@@ -265,6 +266,7 @@ MapMatch MapMatcherServer::conclude(const SessionMap& session, const ReferenceMa
       announce(session, references.at(decision.answer.map), decision.answer.search, report);
       break;
     case belief::Broadcast::kWithdraw:
+      record_.forgetMatch();
       broadcaster_.clear();
       pose_publisher_.clear();
       announcer_.clear();
@@ -294,6 +296,7 @@ void MapMatcherServer::tellReport(MapMatch& report) {
   complete(report);
   record_.add(report);
   map_match_publisher_.publish(report);
+  speech_.tell(report);
   tell(report);
 }
 
@@ -306,7 +309,9 @@ void MapMatcherServer::tell(const MapMatch& report) {
   } else if (report.status == MapMatch::EQUAL_FRAMES && last_status_ != MapMatch::EQUAL_FRAMES) {
     ROS_ERROR_STREAM(report.reason);
   } else if (report.status == MapMatch::ROBOT_LOST && last_status_ != MapMatch::ROBOT_LOST) {
-    ROS_ERROR_STREAM("the alignment is not broadcast: " << report.reason);
+    ROS_ERROR_STREAM(
+        (record_.last_match ? "the alignment is broadcast, but wrong: " : "the alignment is not broadcast: ")
+        << report.reason);
   } else if (report.status == MapMatch::FAILED) {
     ROS_ERROR_STREAM_THROTTLE(kWarningPeriod, report.reason);
   } else if (isUnusable(report)) {

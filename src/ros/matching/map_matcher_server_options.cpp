@@ -27,6 +27,9 @@ parameters::ParameterList parametersOf(MapMatcherServerOptions& options) {
       {"transform_tolerance", "s",
        "How far into the future the transform is stamped, so that it is there when the newest scan needs it.",
        &options.transform_tolerance, 0.0, 10.0},
+      {"publish_speech", "",
+       "Whether speech, for a robot that talks, is sent when the robot is found or lost: one sentence, once.",
+       &options.publish_speech},
   };
   const parameters::ParameterList robot = parametersOf(options.robot);
   parameters.insert(parameters.end(), robot.begin(), robot.end());

@@ -34,9 +34,6 @@ void MatchRecord::add(const MapMatch& report) {
     reports_since = 0;
     return;
   }
-  if (report.status == MapMatch::ROBOT_LOST) {
-    last_match.reset();
-  }
   ++reports_since;
 }
 
@@ -102,7 +99,7 @@ void MatchDiagnostics::reportAlignment(DiagnosticStatusWrapper& status) const {
   const std::optional<MapMatch>& match = record.last_match;
   const std::string reason = record.last_report ? record.last_report->reason : "";
   if (record.last_report && isError(*record.last_report)) {
-    status.summary(kError, "none: " + reason);
+    status.summary(kError, (match ? "that of an earlier map is on tf, but: " : "none: ") + reason);
   } else if (!match) {
     const std::string since =
         record.new_session.empty() ? "" : " in the new session, which began since " + record.new_session;

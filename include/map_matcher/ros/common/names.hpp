@@ -12,6 +12,7 @@ constexpr const char* kMapMatch = "map_match";          ///< Out: map_matcher/Ma
 constexpr const char* kMatchPose = "match_pose";        ///< Out: geometry_msgs/PoseWithCovarianceStamped, latched.
 constexpr const char* kRobotPose = "robot_pose";        ///< Out: geometry_msgs/PoseWithCovarianceStamped.
 constexpr const char* kInitialPose = "initialpose";     ///< In and out: geometry_msgs/PoseWithCovarianceStamped.
+constexpr const char* kSpeech = "speech";               ///< Out: std_msgs/String.
 constexpr const char* kMap = "map";                     ///< Out: nav_msgs/OccupancyGrid, the reference map, latched.
 constexpr const char* kMapMetadata = "map_metadata";    ///< Out: nav_msgs/MapMetaData of it, latched.
 constexpr const char* kMatchedCells = "matched_cells";  ///< Out: visualization_msgs/Marker, latched.

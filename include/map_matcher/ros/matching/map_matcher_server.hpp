@@ -34,6 +34,7 @@
 #include "map_matcher/ros/matching/robot_announcer.hpp"
 #include "map_matcher/ros/matching/robot_pose_source.hpp"
 #include "map_matcher/ros/matching/session_map.hpp"
+#include "map_matcher/ros/matching/state_speech.hpp"
 #include "map_matcher/work/latest_job_worker.hpp"
 
 namespace map_matcher::ros_matching {
@@ -94,6 +95,7 @@ class MapMatcherServer {
   MatchPosePublisher pose_publisher_;
   RobotAnnouncer announcer_;
   OverlayPublisher overlay_publisher_;
+  StateSpeech speech_;
   ReferenceSource reference_source_;
   ros::Subscriber session_subscriber_;
   MapServing map_serving_;

@@ -22,6 +22,7 @@ struct MapMatcherServerOptions {
   double tf_rate = 20.0;                              ///< [Hz] Broadcasts a second.
   double transform_tolerance = 0.1;                   ///< [s] How far into the future the transform is stamped.
   bool serve_map = false;                             ///< Whether the reference map is served as map_server serves one.
+  bool publish_speech = false;                        ///< Whether the robot says that it was found or lost.
   RobotAnnouncerOptions robot;
   belief::MatchOptions match;
 };
