@@ -63,7 +63,7 @@ def plan_replays(runs, arguments, drives):
                 "map:=%s" % map_file, "mapper:=gmapping", "mapper_config:=%s" % config, "truth:=ground_truth",
                 "scan:=sick_laser_front/scan", *scrubbing], ["session_maps.bag"], phase=2).outputs[0]
             trials[variant].append(runs.drive(replay, [
-                "--bag", maps, "--session-maps", "map", "--truth", "ground_truth", "--reference", map_file,
+                "--bag", maps, "--session-maps", "session_map", "--truth", "ground_truth", "--reference", map_file,
                 "--first-overlay", runs.path(replay + "_first.png"), "--last-overlay",
                 runs.path(replay + "_last.png")], phase=3))
     return trials

@@ -96,6 +96,38 @@ class RobotLaunchFiles(unittest.TestCase):
             load("pioneer.launch", "mapper:=slam_toolbox")
 
 
+class ReplayLaunchFiles(unittest.TestCase):
+    BOTH = ("bag:=/day.bag", "map:=/maps/building.yaml", "scan:=front", "rear_scan:=rear", "scrub:=true")
+
+    def test_both_lasers_are_scrubbed_and_drawn(self):
+        for name, more in (("replay.launch", ()), ("open_lab_replay.launch", ("starts:=/starts.csv",))):
+            nodes, parameters = load(name, *self.BOTH, *more, "detections:=[front_people, rear_people]")
+
+            self.assertEqual(["front_scrubbed", "rear_scrubbed"], parameters["/session_mapper/scan_topics"])
+            for side in ("front", "rear"):
+                scrubber = f"{side}_lidar_scrubber"
+                self.assertEqual((side, f"{side}_scrubbed"),
+                                 (remapped(nodes[scrubber], "scan"), remapped(nodes[scrubber], "scan_scrubbed")))
+                self.assertEqual(["front_people", "rear_people"], parameters[f"/{scrubber}/detection_topics"])
+            self.assertEqual("session_map", remapped(nodes["session_mapper"], "map"))
+            self.assertEqual("session_map", remapped(nodes["map_matcher"], "session_map"))
+
+    def test_slam_gmapping_reads_both_lasers_as_one(self):
+        nodes, parameters = load("replay.launch", *self.BOTH, "mapper:=gmapping")
+
+        self.assertEqual(["front_scrubbed", "rear_scrubbed"], parameters["/scan_merger/scan_topics"])
+        self.assertEqual("merged_scan_scrubbed", remapped(nodes["scan_merger"], "merged_scan"))
+        self.assertEqual("merged_scan_scrubbed", remapped(nodes["slam_gmapping"], "scan"))
+        self.assertEqual(0.5, parameters["/map_matcher/session_map_cell_offset"])
+
+    def test_one_laser_is_read_as_it_is(self):
+        nodes, parameters = load("replay.launch", "bag:=/day.bag", "map:=/maps/building.yaml", "detector:=true",
+                                 "weight_file:=/weights.pth")
+
+        self.assertEqual({"player", "dr_spaam_front", "session_mapper", "map_matcher", "rviz"}, set(nodes))
+        self.assertEqual(["scan"], parameters["/session_mapper/scan_topics"])
+
+
 class NavigationLaunchFile(unittest.TestCase):
     def test_move_base_plans_in_the_reference_map_and_sees_people(self):
         _, parameters = load("navigation.launch", "reference_frame:=reference_map", "scan:=sick_laser_front/scan",
