@@ -52,9 +52,11 @@ void writeTrajectory(const std::string& path, const std::vector<evaluation::Stam
 
 void printSummary(const ros_trials::BagMappingResult& result, const ros_mapping::SessionSnapshot& last,
                   const std::string& output) {
-  std::cout << result.scan_topic << ": " << result.scans << " scans, " << result.scans_drawn << " drawn, "
-            << result.scans_not_fitting << " did not fit, " << result.scans_without_tf << " without tf, "
-            << result.scans_refused << " refused\n";
+  for (const std::string& topic : result.scan_topics) {
+    std::cout << topic << (topic == result.scan_topics.back() ? ": " : ", ");
+  }
+  std::cout << result.scans << " scans, " << result.scans_drawn << " drawn, " << result.scans_not_fitting
+            << " did not fit, " << result.scans_without_tf << " without tf, " << result.scans_refused << " refused\n";
   if (!result.last_problem.empty()) {
     std::cout << "last problem: " << result.last_problem << '\n';
   }
@@ -84,7 +86,7 @@ void drawBag(Arguments& arguments) {
 void describe(map_matcher::tools::CommandLine& command_line, Arguments& arguments) {
   ros_trials::BagMappingRequest& request = arguments.request;
   command_line.add("--bag", &request.bag, "bag with scans, /tf and perhaps /tf_static").required();
-  command_line.add("--scan", &request.scan_topic, "topic of the scans; default: the only one in the bag");
+  command_line.add("--scan", &request.scan_topics, "topics of the scans, of a laser each; default: the only one");
   command_line.add("--from", &request.from, "leave out what comes before [s since the bag begins]");
   command_line.add("--until", &request.until, "leave out what comes after [s since the bag begins]");
   command_line.add("--output", &arguments.output, "YAML file of the map; its image goes beside it");

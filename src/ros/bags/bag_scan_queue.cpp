@@ -28,14 +28,14 @@ void BagScanQueue::read(const rosbag::MessageInstance& message) {
   releaseBefore(message.getTime() - ros::Duration(kPatience));
 }
 
-void BagScanQueue::addScan(const rosbag::MessageInstance& message) {
-  waiting_.push_back({readMessage<sensor_msgs::LaserScan>(path_, message), message.getTime()});
+void BagScanQueue::addScan(const rosbag::MessageInstance& message, std::size_t laser) {
+  waiting_.push_back({readMessage<sensor_msgs::LaserScan>(path_, message), laser, message.getTime()});
 }
 
 void BagScanQueue::releaseBefore(const ros::Time& deadline) {
   for (; !waiting_.empty(); waiting_.pop_front()) {
     try {
-      use_(*waiting_.front().scan);
+      use_(*waiting_.front().scan, waiting_.front().laser);
     } catch (const tf2::TransformException& error) {
       if (waiting_.front().recorded >= deadline) {
         return;

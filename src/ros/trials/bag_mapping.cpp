@@ -18,7 +18,7 @@ class BagMapping {
       : request_(request), on_map_(on_map), mapping_(request.options) {
     ros_bags::openBag(bag_, request.bag);
     const ros_bags::BagTopics topics = ros_bags::topicsOf(bag_);
-    result_.scan_topic = ros_bags::chooseScanTopic(request.bag, topics, request.scan_topic);
+    chooseTopics(topics);
     ros_bags::requireTransforms(request.bag, topics, request.options.odom_frame);
     rosbag::View all(bag_);
     result_.begin = all.getBeginTime();
@@ -26,15 +26,20 @@ class BagMapping {
   }
 
   BagMappingResult run() {
-    ros_bags::BagScanQueue queue(bag_, request_.bag,
-                                 [&](const sensor_msgs::LaserScan& scan) { add(scan, queue.tf()); });
+    ros_bags::BagScanQueue queue(bag_, request_.bag, [&](const sensor_msgs::LaserScan& scan, std::size_t laser) {
+      add(scan, queue.tf(), laser);
+    });
     const ros::Time first =
         result_.begin + ros::Duration(std::max(0.0, request_.from - ros_bags::BagScanQueue::kPatience));
-    rosbag::View view(bag_, rosbag::TopicQuery({std::string("/tf"), result_.scan_topic}), first, last());
+    const std::vector<std::string>& scans = result_.scan_topics;
+    std::vector<std::string> topics = scans;
+    topics.emplace_back("/tf");
+    rosbag::View view(bag_, rosbag::TopicQuery(topics), first, last());
     ros_bags::forEachMessage(bag_, view, [&](const rosbag::MessageInstance& message) {
-      if (message.getTopic() == result_.scan_topic && isAskedFor(message.getTime())) {
+      const auto topic = std::find(scans.begin(), scans.end(), message.getTopic());
+      if (topic != scans.end() && isAskedFor(message.getTime())) {
         ++result_.scans;
-        queue.addScan(message);
+        queue.addScan(message, static_cast<std::size_t>(topic - scans.begin()));
       }
       queue.read(message);
     });
@@ -47,6 +52,25 @@ class BagMapping {
   }
 
  private:
+  void chooseTopics(const ros_bags::BagTopics& topics) {
+    std::vector<std::string>& chosen = result_.scan_topics;
+    const std::vector<std::string> only{""};
+    for (const std::string& asked : request_.scan_topics.empty() ? only : request_.scan_topics) {
+      chosen.push_back(ros_bags::chooseScanTopic(request_.bag, topics, asked));
+      if (std::count(chosen.begin(), chosen.end(), chosen.back()) > 1) {
+        throw ros_bags::BagError("the topic of scans " + chosen.back() + " is given twice, expected different ones");
+      }
+    }
+  }
+
+  std::string topicsText() const {
+    std::string text;
+    for (const std::string& topic : result_.scan_topics) {
+      text += (text.empty() ? "" : ", ") + topic;
+    }
+    return text;
+  }
+
   ros::Time last() const {
     return request_.until ? result_.begin + ros::Duration(*request_.until + ros_bags::BagScanQueue::kPatience)
                           : ros::TIME_MAX;
@@ -68,8 +92,8 @@ class BagMapping {
     return time >= request_.from && (!request_.until || time <= *request_.until);
   }
 
-  void add(const sensor_msgs::LaserScan& scan, const tf2::BufferCore& tf) {
-    const ros_mapping::MappingUpdate update = mapping_.addScan(scan, tf);
+  void add(const sensor_msgs::LaserScan& scan, const tf2::BufferCore& tf, std::size_t laser) {
+    const ros_mapping::MappingUpdate update = mapping_.addScan(scan, tf, laser);
     result_.path.push_back({scan.header.stamp.toSec(), mapping_.mapper().T_session_base()});
     result_.scans_drawn += update.report.outcome == mapping::ScanOutcome::kDrawn ? 1 : 0;
     result_.scans_not_fitting += update.report.outcome == mapping::ScanOutcome::kNotFitting ? 1 : 0;
@@ -83,7 +107,7 @@ class BagMapping {
   void finish() {
     if (result_.scans_drawn == 0) {
       std::ostringstream text;
-      text << "bag '" << request_.bag << "': none of the " << result_.scans << " scans of " << result_.scan_topic
+      text << "bag '" << request_.bag << "': none of the " << result_.scans << " scans of " << topicsText()
            << " could be drawn";
       text << (result_.last_problem.empty() ? "" : ": " + result_.last_problem);
       throw ros_bags::BagError(text.str());

@@ -33,8 +33,8 @@ class BagTrial {
   }
 
   BagTrialResult run() {
-    ros_bags::BagScanQueue queue(bag_, request_.bag,
-                                 [&](const sensor_msgs::LaserScan& scan) { play(scan, queue.tf()); });
+    ros_bags::BagScanQueue queue(
+        bag_, request_.bag, [&](const sensor_msgs::LaserScan& scan, std::size_t /*laser*/) { play(scan, queue.tf()); });
     rosbag::View view(bag_);
     ros_bags::forEachMessage(bag_, view, [&](const rosbag::MessageInstance& message) {
       if (message.getTopic() == scan_topic_) {

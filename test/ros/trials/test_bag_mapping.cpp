@@ -121,14 +121,14 @@ class BagMapping : public testing::Test {
   }
 
   test::TemporaryDir dir;
-  BagMappingRequest request{dir / "drive.bag", "", 0.0, std::nullopt, {}};
+  BagMappingRequest request{dir / "drive.bag", {}, 0.0, std::nullopt, {}};
   std::vector<ros_mapping::SessionSnapshot> snapshots;
 };
 
 TEST_F(BagMapping, DrawsTheRoomThatWasDrivenThrough) {
   const BagMappingResult result = map({});
 
-  EXPECT_EQ(result.scan_topic, "/scan");
+  EXPECT_EQ(result.scan_topics, std::vector<std::string>{"/scan"});
   EXPECT_EQ(result.scans, kNumScans);
   EXPECT_EQ(result.scans_without_tf, 0);
   EXPECT_EQ(result.path.size(), static_cast<std::size_t>(kNumScans));
@@ -219,12 +219,12 @@ TEST_F(BagMapping, OfAFileThatIsNoBagNamesIt) {
 }
 
 TEST_F(BagMapping, OfAnUnknownTopicTellsWhatIsThere) {
-  request.scan_topic = "/base_scan";
+  request.scan_topics = {"/base_scan"};
   EXPECT_THAT(errorOf({}), AllOf(HasSubstr("no topic '/base_scan'"), HasSubstr("/scan (sensor_msgs/LaserScan)")));
 }
 
 TEST_F(BagMapping, OfATopicOfAnotherTypeTellsWhichItIs) {
-  request.scan_topic = "odom";
+  request.scan_topics = {"odom"};
   EXPECT_THAT(errorOf({}), HasSubstr("'/odom' of bag '" + request.bag + "' is nav_msgs/Odometry, expected"));
 }
 
@@ -234,7 +234,7 @@ TEST_F(BagMapping, OfATopicOfTwoTypesTellsBoth) {
     rosbag::Bag bag(request.bag, rosbag::bagmode::Append);
     bag.write("/scan", ros::Time(kBegin), nav_msgs::Odometry());
   }
-  request.scan_topic = "/scan";
+  request.scan_topics = {"/scan"};
   EXPECT_THAT(test::thrownText<ros_bags::BagError>([this] { mapAgain(); }),
               AllOf(HasSubstr("'/scan' of bag '" + request.bag + "'"), HasSubstr("sensor_msgs/LaserScan"),
                     HasSubstr("nav_msgs/Odometry")));
@@ -271,8 +271,32 @@ TEST_F(BagMapping, OfSeveralScanTopicsAsksForOne) {
   } catch (const ros_bags::BagError& error) {
     EXPECT_THAT(error.what(), AllOf(HasSubstr("several"), HasSubstr("/scan"), HasSubstr("/rear/scan")));
   }
-  request.scan_topic = "/scan";
+  request.scan_topics = {"/scan"};
   EXPECT_EQ(mapAgain().scans, kNumScans);
+}
+
+TEST_F(BagMapping, DrawsTheScansOfBothLasers) {
+  writeBag(request.bag, {});
+  {
+    rosbag::Bag bag(request.bag, rosbag::bagmode::Append);
+    for (int i = 0; i < kNumScans; ++i) {
+      const ros::Time stamp(kBegin + kPeriod * i);
+      bag.write("/rear/scan", stamp, scanMessage(i, stamp, "laser"));
+    }
+  }
+  request.scan_topics = {"/scan", "rear/scan"};
+
+  const BagMappingResult result = mapAgain();
+
+  EXPECT_EQ(result.scan_topics, (std::vector<std::string>{"/scan", "/rear/scan"}));
+  EXPECT_EQ(result.scans, 2 * kNumScans);
+  EXPECT_EQ(result.path.size(), 2U * kNumScans);
+  expectWallsOfTheRoom(snapshots.back().map);
+}
+
+TEST_F(BagMapping, OfATopicThatIsGivenTwiceNamesIt) {
+  request.scan_topics = {"/scan", "scan"};
+  EXPECT_THAT(errorOf({}), HasSubstr("the topic of scans /scan is given twice"));
 }
 
 TEST_F(BagMapping, WithAFrameThatIsNotInTheBagNamesIt) {

@@ -7,6 +7,7 @@
 #include <rosbag/message_instance.h>
 #include <sensor_msgs/LaserScan.h>
 
+#include <cstddef>
 #include <deque>
 #include <functional>
 #include <string>
@@ -20,9 +21,9 @@ class BagScanQueue {
  public:
   static constexpr double kPatience = 1.0;  ///< [s] How much later than a scan its transforms may be recorded.
 
-  /// Uses a scan. Throws tf2::TransformException while transforms are missing, and another std::runtime_error for a
-  /// scan that cannot be used at all.
-  using Use = std::function<void(const sensor_msgs::LaserScan&)>;
+  /// Uses a scan of a laser. Throws tf2::TransformException while transforms are missing, and another
+  /// std::runtime_error for a scan that cannot be used at all.
+  using Use = std::function<void(const sensor_msgs::LaserScan& scan, std::size_t laser)>;
 
   /// `path` names the bag, all of whose static transforms are taken at once.
   BagScanQueue(const rosbag::Bag& bag, const std::string& path, Use use);
@@ -32,8 +33,9 @@ class BagScanQueue {
   /// after addScan().
   void read(const rosbag::MessageInstance& message);
 
-  /// Adds the scan of a message. Throws BagError, naming the bag, the topic and both types, for another type.
-  void addScan(const rosbag::MessageInstance& message);
+  /// Adds the scan of a message, of the laser of this number. Throws BagError, naming the bag, the topic and both
+  /// types, for another type.
+  void addScan(const rosbag::MessageInstance& message, std::size_t laser = 0);
 
   /// At the end of the bag: hands on all that can be used; the others are given up.
   void finish() { releaseBefore(ros::TIME_MAX); }
@@ -46,6 +48,7 @@ class BagScanQueue {
  private:
   struct Waiting {
     sensor_msgs::LaserScanConstPtr scan;
+    std::size_t laser = 0;
     ros::Time recorded;
   };
 

@@ -15,8 +15,9 @@ namespace map_matcher::ros_trials {
 
 /// Which part of which bag to draw, and how.
 struct BagMappingRequest {
-  std::string bag;              ///< Path of the bag.
-  std::string scan_topic;       ///< Topic of sensor_msgs/LaserScan; empty: the only one in the bag.
+  std::string bag;  ///< Path of the bag.
+  /// Topics of sensor_msgs/LaserScan, of a laser each; none: the only one in the bag.
+  std::vector<std::string> scan_topics;
   double from = 0.0;            ///< Scans before this are left out [s since the bag begins].
   std::optional<double> until;  ///< Scans after this are left out [s since the bag begins]; nullopt: none.
   ros_mapping::SessionMappingOptions options;
@@ -24,9 +25,9 @@ struct BagMappingRequest {
 
 /// What mapping a bag gave besides the maps.
 struct BagMappingResult {
-  std::string scan_topic;                     ///< The topic of the scans.
+  std::vector<std::string> scan_topics;       ///< The topics of the scans.
   ros::Time begin;                            ///< When the bag begins.
-  int scans = 0;                              ///< Scans in the part of the bag.
+  int scans = 0;                              ///< Scans in the part of the bag, of all lasers.
   int scans_drawn = 0;                        ///< Scans in the map.
   int scans_not_fitting = 0;                  ///< Scans that did not fit the map.
   int scans_without_tf = 0;                   ///< Scans whose transforms are not in the bag.
