@@ -29,7 +29,10 @@ StateSpeech::StateSpeech(ros::NodeHandle node, bool enabled) {
 }
 
 void StateSpeech::tell(const MapMatch& report) {
-  const std::uint8_t state = report.state == MapMatch::TENTATIVE ? MapMatch::SEARCHING : report.state;
+  std::uint8_t state = report.state;
+  if (state == MapMatch::TENTATIVE) {
+    state = MapMatch::SEARCHING;
+  }
   const bool is_found = report.status == MapMatch::MATCHED;
   if (!publisher_ || (state == state_ && (!is_found || report.reference_frame == reference_))) {
     return;
