@@ -16,6 +16,7 @@ START = (12.3, 7.1, 0.7)  # T_reference_session
 ROBOT = (3.0, -2.0)  # in the session map
 ELSEWHERE = (-3.5, 2.0)
 TILT = 0.03  # [rad], of the robot
+FOUND, LOST = "I know where I am, in map.", "I am lost."
 
 
 def with_false_walls():
@@ -56,10 +57,15 @@ class RobotLost(NodeFixture):
         self.session.publish(session)
         return self.map_match.wait_for(lambda match: match.session_stamp == session.header.stamp, "map_match")
 
+    def assert_said(self, speech, *sentences):
+        """These were the last sentences."""
+        wait_until(lambda: [said.data for said in speech.messages[-len(sentences):]] == list(sentences),
+                   "the robot says %s" % " ".join(sentences))
+
     def test_takes_the_alignment_off_tf_until_the_map_fits_around_the_robot(self):
         speech = Listener("speech", String)
         match = self.match_with_robot(session_map(START), ROBOT)
-        speech.wait_for(lambda said: said.data == "I know where I am, in map.", "a sentence")
+        self.assert_said(speech, FOUND)
         self.pose.wait_for(lambda _: True, "match_pose: the node knows where the robot is")
         self.assertGreater(match.nearby_cells, 30)
         self.assertGreater(match.nearby_ratio, 0.9)
@@ -69,7 +75,7 @@ class RobotLost(NodeFixture):
 
         self.assertEqual(lost.status, MapMatch.ROBOT_LOST, lost.reason)
         self.assertEqual(lost.status_text, "robot_lost")
-        speech.wait_for(lambda said: said.data == "I am lost.", "a sentence")
+        self.assert_said(speech, FOUND, LOST)
         self.assertLess(lost.nearby_ratio, 0.5)
         self.assertGreater(lost.hit_ratio, 0.6)
         self.assertTrue(math.isnan(lost.T_reference_session.translation.x))
@@ -81,7 +87,7 @@ class RobotLost(NodeFixture):
         self.assertEqual(self.match_with_robot(session_map(START), ROBOT).status_text, "matched")
         self.assert_pose(self.wait_for_tf("map", "session_map").transform, START)
         self.assertEqual(self.match_with_robot(session_map(START), ROBOT).status_text, "matched")
-        speech.wait_for(lambda _: len(speech.messages) == 3, "a third sentence, and no fourth")
+        self.assert_said(speech, FOUND, LOST, FOUND)
 
     def test_is_asked_of_where_the_robot_was_at_the_stamp_of_the_map(self):
         self.assertEqual(self.match_with_robot(session_map(START), ELSEWHERE).status_text, "matched")
