@@ -63,13 +63,20 @@ class Observer:
         self.last_match = 0.0
         self.truth = {}
         self.errors = []
+        self.subscribers = [
+            rospy.Subscriber("session_map", rospy.AnyMsg, self.on_map, queue_size=10),
+            rospy.Subscriber("map_match", MapMatch, self.on_match, queue_size=10),
+            rospy.Subscriber("ground_truth", PoseStamped, self.on_truth, queue_size=100),
+            rospy.Subscriber("robot_pose", PoseWithCovarianceStamped, self.on_pose, queue_size=100)]
         for laser in LASERS:
-            rospy.Subscriber(laser, rospy.AnyMsg, self.on_raw, laser, queue_size=100, tcp_nodelay=True)
-            rospy.Subscriber(laser + "_scrubbed", rospy.AnyMsg, self.on_scrubbed, laser, queue_size=100, tcp_nodelay=True)
-        rospy.Subscriber("session_map", rospy.AnyMsg, self.on_map, queue_size=10)
-        rospy.Subscriber("map_match", MapMatch, self.on_match, queue_size=10)
-        rospy.Subscriber("ground_truth", PoseStamped, self.on_truth, queue_size=100)
-        rospy.Subscriber("robot_pose", PoseWithCovarianceStamped, self.on_pose, queue_size=100)
+            for topic, callback in ((laser, self.on_raw), (laser + "_scrubbed", self.on_scrubbed)):
+                self.subscribers.append(
+                    rospy.Subscriber(topic, rospy.AnyMsg, callback, laser, queue_size=100, tcp_nodelay=True))
+
+    def stop(self):
+        """Nothing comes after this."""
+        for subscriber in self.subscribers:
+            subscriber.unregister()
 
     def on_raw(self, message, laser):
         now = time.monotonic()
@@ -198,6 +205,8 @@ class Soak:
                 self.kill(name)
             self.sample()
             time.sleep(SAMPLE_PERIOD)
+        self.observer.stop()
+        time.sleep(1.0)
 
     def wait(self, what, condition, deadline):
         end = time.monotonic() + deadline
