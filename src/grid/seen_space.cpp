@@ -1,36 +1,47 @@
 #include "map_matcher/grid/seen_space.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <opencv2/imgproc.hpp>
+#include <cstdint>
+#include <iterator>
 
+#include "map_matcher/grid/chamfer_distances.hpp"
 #include "map_matcher/grid/occupied_cells.hpp"
 
 namespace map_matcher::grid {
 namespace {
 
-/// The cells within `distance` [cells] of a wall, which are not 0.
-cv::Mat widened(const cv::Mat& walls, double distance) {
-  cv::Mat distances;  // with no wall at all they are very large
-  cv::distanceTransform(walls == 0, distances, cv::DIST_L2, cv::DIST_MASK_5);
-  return distances <= distance;
+/// Sets the cells within `distance` [cells] of a wall. Walls come in the order of rows.
+void markNear(const std::vector<Cell>& walls, double distance, const GridGeometry& geometry, std::vector<Seen>& seen) {
+  const std::vector<int> half_widths = chamferDisc(distance);
+  const int reach = static_cast<int>(half_widths.size()) / 2;
+  for (std::size_t begin = 0, end = 0; begin < walls.size(); begin = end) {
+    for (end = begin + 1;
+         end < walls.size() && walls[end].y == walls[begin].y && walls[end].x == walls[end - 1].x + 1;) {
+      ++end;
+    }
+    for (int dy = -reach; dy <= reach; ++dy) {
+      const int y = walls[begin].y + dy;
+      const int half_width = half_widths[static_cast<std::size_t>(dy + reach)];
+      const int first = std::max(walls[begin].x - half_width, 0);
+      const int last = std::min(walls[end - 1].x + half_width, geometry.width - 1);
+      if (y >= 0 && y < geometry.height) {
+        const auto row = seen.begin() + static_cast<std::ptrdiff_t>(y) * geometry.width;
+        std::fill(row + first, row + last + 1, Seen::kNearWall);
+      }
+    }
+  }
 }
 
 /// The cells on the middle lines of walls, or `deepest` [cells] below the surface of thicker ones.
-std::vector<Cell> middleLines(const cv::Mat& walls, double deepest) {
-  cv::Mat depth;
-  cv::distanceTransform(walls, depth, cv::DIST_L2, cv::DIST_MASK_5);
-  cv::Mat deepest_around;
-  cv::dilate(depth, deepest_around, cv::Mat(), cv::Point(-1, -1), 1, cv::BORDER_REPLICATE);
+std::vector<Cell> middleLines(const std::vector<Cell>& walls, double deepest, const GridGeometry& geometry) {
+  const ChamferDepths depths(walls, deepest + 1.0, geometry.width, geometry.height);
   std::vector<Cell> cells;
-  for (int y = 0; y < walls.rows; ++y) {
-    for (int x = 0; x < walls.cols; ++x) {
-      const float here = depth.at<float>(y, x);
-      const bool is_ridge = here > 0.0F && here >= deepest_around.at<float>(y, x) && here < deepest;
-      if (is_ridge || (here >= deepest && here < deepest + 1.0)) {
-        cells.push_back({x, y});
-      }
+  for (const Cell& wall : walls) {
+    const double here = depths.at(wall);
+    const bool is_ridge = here < deepest && here >= depths.deepestAround(wall);
+    if (is_ridge || (here >= deepest && here < deepest + 1.0)) {
+      cells.push_back(wall);
     }
   }
   return cells;
@@ -40,20 +51,13 @@ std::vector<Cell> middleLines(const cv::Mat& walls, double deepest) {
 
 SeenSpace::SeenSpace(const OccupancyGrid& map, double cell_offset, int occupied_threshold) : geometry_(map.geometry()) {
   geometry_.T_map_grid = cornerOf(map.geometry(), cell_offset);
-  cv::Mat walls(geometry_.height, geometry_.width, CV_8U, cv::Scalar(0));
-  for (const Cell& wall : occupiedCells(map, static_cast<std::int8_t>(occupied_threshold))) {
-    walls.at<std::uint8_t>(wall.y, wall.x) = 1;
-  }
-  const cv::Mat near = widened(walls, kNear / geometry_.resolution);
-  seen_.reserve(walls.total());
-  for (int y = 0; y < geometry_.height; ++y) {
-    for (int x = 0; x < geometry_.width; ++x) {
-      const std::int8_t value = map.at(x, y);
-      const bool is_free = value >= 0 && value <= 100 - occupied_threshold;
-      seen_.push_back(near.at<std::uint8_t>(y, x) != 0 ? Seen::kNearWall : is_free ? Seen::kOpen : Seen::kUnseen);
-    }
-  }
-  for (const Cell& cell : middleLines(walls, std::max(1.0, kNear / geometry_.resolution))) {
+  const std::vector<Cell> walls = occupiedCells(map, static_cast<std::int8_t>(occupied_threshold));
+  seen_.reserve(map.values().size());
+  std::transform(map.values().begin(), map.values().end(), std::back_inserter(seen_), [&](std::int8_t value) {
+    return value >= 0 && value <= 100 - occupied_threshold ? Seen::kOpen : Seen::kUnseen;
+  });
+  markNear(walls, kNear / geometry_.resolution, geometry_, seen_);
+  for (const Cell& cell : middleLines(walls, std::max(1.0, kNear / geometry_.resolution), geometry_)) {
     walls_.push_back(geometry_.cellCentre(cell));
   }
 }
