@@ -78,13 +78,13 @@ TEST(ChamferDepths, AreThoseOfTheTransformOfTheWholeGrid) {
 }
 
 /// SeenSpace with transforms of the whole grid: what is near walls, and where walls stand.
-TEST(SeenSpace, IsThatOfTheTransformsOfTheWholeGrid) {
+TEST(SeenSpaceOfRandomMaps, IsThatOfTheTransformsOfTheWholeGrid) {
   std::mt19937 generator(42);
   for (int trial = 0; trial < 400; ++trial) {
     const double resolution = std::vector<double>{0.02, 0.05, 0.07, 0.25}[static_cast<std::size_t>(trial % 4)];
     const OccupancyGrid map = randomMap(generator, resolution);
     const cv::Mat1b walls = wallsOf(map);
-    const cv::Mat1f far = transformOf(walls == 0);
+    const cv::Mat1f far = transformOf(cv::Mat1b(walls == 0));
     const cv::Mat1f depth = transformOf(walls);
     cv::Mat1f around;
     cv::dilate(depth, around, cv::Mat(), cv::Point(-1, -1), 1, cv::BORDER_REPLICATE);
