@@ -134,7 +134,7 @@ void OverlayPublisher::publishOtherPlaces(const search::MatchedCells& cells, con
       }
     }
   }
-  other_places_.show(marker(ghosts, frame, resolution, colour(0.0F, 0.6F, 0.6F, 0.5F)));
+  other_places_.show(marker(ghosts, frame, resolution, colour(0.0F, 0.8F, 0.8F, 0.8F)));
 }
 
 void OverlayPublisher::write(const MapMatch& report, const ReferenceMap& reference) {
