@@ -59,7 +59,7 @@ class MatchDisplay(NodeFixture):
         self.assertAlmostEqual(right[0] - left[0], WIDTH, delta=RESOLUTION)
         self.assertAlmostEqual(right[1], left[1], delta=RESOLUTION)
 
-    def test_takes_the_other_places_away_with_the_map_that_they_are_in(self):
+    def test_takes_text_and_other_places_away_with_the_map_that_they_are_about(self):
         self.reference.publish(twin_buildings())
         self.match(session_map(START), MapMatch.AMBIGUOUS)
         self.wait_for_other_places(Marker.ADD)
@@ -68,6 +68,7 @@ class MatchDisplay(NodeFixture):
 
         self.reference.publish(reference_map())
 
+        self.text.wait_for(lambda marker: marker.action == Marker.DELETE, "end of the text about the map before")
         self.wait_for_other_places(Marker.DELETE)
         self.wait_for_text("localized")
 
