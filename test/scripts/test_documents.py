@@ -141,6 +141,15 @@ class Interfaces(unittest.TestCase):
         self.assertGreater(len(names), 10)
         self.assertEqual(set(), names - described)
 
+    def test_each_topic_that_rviz_shows_is_described(self):
+        shown = set(re.findall(r"(?m)^ +(?:Marker )?Topic: ([\w/]+)$", text_of("config/map_matcher.rviz")))
+        described = {name.lstrip("~/") for page in ("docs/interfaces.md", "docs/tools.md", "docs/robots.md")
+                     for name in re.findall(r"`([\w/~]+)`", text_of(page))}
+
+        self.assertGreater(len(shown), 10)
+        self.assertEqual(set(), {topic for topic in shown if not any(
+            name in described for name in (topic, topic.split("/")[-1], topic.replace("_scrubbed", "")))})
+
     def test_each_topic_and_service_of_the_readme_is_one(self):
         described = first_cells(text_of("docs/interfaces.md"))
         listed = first_cells(part(text_of("README.md"), "## What it takes and gives"))

@@ -25,9 +25,9 @@ SYSTEM = {
 OTHER_DEBIAN_NAMES = {"dynamic_reconfigure": {"libdynamic-reconfigure-config-init-mutex-dev"},
                       "nodelet": {"libnodeletlib-dev", "libnodeletlib-tools"}}
 # Installed beside what package.xml names: rosdep brings them with something else, or they are for developers only.
-NOT_IN_PACKAGE_XML = {"build-essential", "catkin-lint", "clang-format-14", "clang-tidy-14", "cmake", "git",
-                      "libbenchmark-dev", "libgmock-dev", "libgtest-dev", "ros-actionlib-msgs", "rosbash",
-                      "ros-noetic-actionlib-msgs", "ros-noetic-rosbash"}
+NOT_IN_PACKAGE_XML = {"build-essential", "catkin-lint", "clang-format-14", "clang-tidy-14", "cmake", "git", "imagemagick",
+                      "libbenchmark-dev", "libgmock-dev", "libgtest-dev", "ros-actionlib-msgs", "rosbash", "rviz", "xvfb",
+                      "ros-noetic-actionlib-msgs", "ros-noetic-rosbash", "ros-noetic-rviz"}
 # In package.xml only: apt brings it with the package that has the headers.
 NOT_IN_TABLE = {"libboost-program-options"}
 # What CMakeLists.txt looks for beside catkin's components, and the name for rosdep where it is another one; None: no
@@ -82,7 +82,7 @@ def cmake_arguments(command):
 class Packages(unittest.TestCase):
     def test_each_row_of_the_table_has_a_group_and_a_package_on_each_system(self):
         for group, cells, _ in rows():
-            self.assertIn(group, ("build", "test", "lint", "docs"), cells)
+            self.assertIn(group, ("build", "test", "lint", "docs", "screenshots"), cells)
             self.assertEqual(len(cells), len(SYSTEMS), cells)
 
     def test_the_table_names_no_package_twice_for_one_purpose(self):

@@ -274,6 +274,7 @@ MapMatch MapMatcherServer::conclude(const SessionMap& session, const ReferenceMa
     case belief::Broadcast::kKeep:
       break;
   }
+  draw(session, *references.at(decision.answer.map), decision.answer, findings.followed);
   return report;
 }
 
@@ -283,9 +284,19 @@ void MapMatcherServer::announce(const SessionMap& session, const ReferenceMapPtr
   broadcaster_.set({reference->frame, session.frame, result.T_reference_session});
   pose_publisher_.request(report, ros::Time::now());
   announcer_.set({reference, session.frame, session.stamp, result.T_reference_session, result.covariance});
-  overlay_publisher_.publish(
-      search::splitByMatch(reference->map.grid(), session.grid, result.T_reference_session, tracker_.options().search),
-      session.frame, session.grid.resolution());
+}
+
+/// Shows in rviz how the session map lies in the reference map, and where else it may.
+void MapMatcherServer::draw(const SessionMap& session, const ReferenceMap& reference, const belief::Answer& answer,
+                            bool followed) {
+  const search::MatchedCells cells = search::splitByMatch(reference.map.grid(), session.grid,
+                                                          answer.search.T_reference_session, tracker_.options().search);
+  if (answer.matched()) {
+    overlay_publisher_.publish(cells, session.frame, session.grid.resolution());
+  }
+  if (!followed) {  // which looks nowhere else, and says nothing of what was found there
+    overlay_publisher_.publishOtherPlaces(cells, answer, reference.frame, session.grid.resolution());
+  }
 }
 
 /// Publishes and logs what came of a map.
@@ -297,6 +308,10 @@ void MapMatcherServer::tellReport(MapMatch& report) {
   record_.add(report);
   map_match_publisher_.publish(report);
   speech_.tell(report);
+  if (!references_.empty()) {
+    const auto reference = findFrame(references_, report.reference_frame);
+    overlay_publisher_.write(report, **(reference == references_.end() ? references_.begin() : reference));
+  }
   tell(report);
 }
 

@@ -9,8 +9,8 @@
 namespace map_matcher::ros_scrubbing {
 namespace {
 
-constexpr int kCorners = 24;          // of a circle
-constexpr double kLineWidth = 0.015;  // [m]
+constexpr int kCorners = 24;         // of a circle
+constexpr double kLineWidth = 0.05;  // [m]
 
 sensor_msgs::PointCloud2 cloudOf(const std_msgs::Header& header, const scrubbing::ScanScrubber& scrubber,
                                  const std::vector<std::uint32_t>& beams) {
@@ -47,8 +47,8 @@ visualization_msgs::Marker circlesOf(const std_msgs::Header& header, const std::
   marker.action = discs.empty() ? visualization_msgs::Marker::DELETE : visualization_msgs::Marker::ADD;
   marker.pose.orientation.w = 1.0;
   marker.scale.x = kLineWidth;
-  marker.color.r = 1.0F;
-  marker.color.g = 0.8F;
+  marker.color.r = 0.9F;
+  marker.color.b = 0.9F;
   marker.color.a = 1.0F;
   marker.points.reserve(discs.size() * 2 * kCorners);
   for (const scrubbing::Disc& disc : discs) {

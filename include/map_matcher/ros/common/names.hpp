@@ -17,6 +17,8 @@ constexpr const char* kMap = "map";                     ///< Out: nav_msgs/Occup
 constexpr const char* kMapMetadata = "map_metadata";    ///< Out: nav_msgs/MapMetaData of it, latched.
 constexpr const char* kMatchedCells = "matched_cells";  ///< Out: visualization_msgs/Marker, latched.
 constexpr const char* kUnmatchedCells = "unmatched_cells";  ///< Out: visualization_msgs/Marker, latched.
+constexpr const char* kOtherPlaces = "other_places";        ///< Out: visualization_msgs/Marker, latched.
+constexpr const char* kMatchText = "match_text";            ///< Out: visualization_msgs/Marker, latched.
 
 constexpr const char* kMatchToReference = "match_to_reference";     ///< Service: map_matcher/MatchToReference.
 constexpr const char* kSetReferenceMap = "set_reference_map";       ///< Service: map_matcher/SetReferenceMap.

@@ -71,6 +71,7 @@ class MapMatcherServer {
   MapMatch conclude(const SessionMap& session, const ReferenceMapList& references, const belief::Findings& findings);
   void announce(const SessionMap& session, const ReferenceMapPtr& reference, const search::SearchResult& result,
                 const MapMatch& report);
+  void draw(const SessionMap& session, const ReferenceMap& reference, const belief::Answer& answer, bool followed);
   void tellReport(MapMatch& report);
   void tell(const MapMatch& report);
   void complete(MapMatch& report) const;
