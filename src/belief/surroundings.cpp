@@ -11,10 +11,6 @@
 namespace map_matcher::belief {
 namespace {
 
-grid::Cell cellOf(const Eigen::Vector2d& p_grid, double resolution) {
-  return {static_cast<int>(std::floor(p_grid.x() / resolution)), static_cast<int>(std::floor(p_grid.y() / resolution))};
-}
-
 bool isWallWithin(const grid::OccupancyGrid& map, const grid::Cell& cell, int reach, int occupied_threshold) {
   const grid::Cell first{std::max(0, cell.x - reach), std::max(0, cell.y - reach)};
   const grid::Cell last{std::min(map.width() - 1, cell.x + reach), std::min(map.height() - 1, cell.y + reach)};
@@ -46,7 +42,7 @@ void countHits(const Overlay& maps, const Eigen::Vector2d& robot, const MatchOpt
     if ((p_session - robot).norm() <= options.belief.nearby_distance) {
       const search::WidenedGrids& hits_of = maps.reference.exact();
       const grid::Cell position =
-          hits_of.position(0, cellOf(maps.T_grid_session * p_session, maps.reference.resolution()));
+          hits_of.position(0, grid::cellOf(maps.T_grid_session * p_session, maps.reference.resolution()));
       hits += hits_of.level(0).at(position.x, position.y);
       ++nearby.cells;
     }
@@ -63,8 +59,8 @@ void countWalls(const Overlay& maps, const Eigen::Vector2d& robot, const MatchOp
   const Eigen::Vector2d middle = maps.T_grid_session * robot;
   const grid::Rigid2 T_cells_grid = maps.T_session_cells.inverse() * maps.T_grid_session.inverse();
   const int reach = static_cast<int>(std::lround(kSameWall / maps.session.resolution()));
-  const grid::Cell low = cellOf(middle - Eigen::Vector2d::Constant(distance), resolution);
-  const grid::Cell high = cellOf(middle + Eigen::Vector2d::Constant(distance), resolution);
+  const grid::Cell low = grid::cellOf(middle - Eigen::Vector2d::Constant(distance), resolution);
+  const grid::Cell high = grid::cellOf(middle + Eigen::Vector2d::Constant(distance), resolution);
   const grid::Cell first{std::max(low.x, grids.firstWall().x), std::max(low.y, grids.firstWall().y)};
   const grid::Cell last{std::min(high.x, grids.lastWall().x), std::min(high.y, grids.lastWall().y)};
   int confirmed = 0;
@@ -74,7 +70,7 @@ void countWalls(const Overlay& maps, const Eigen::Vector2d& robot, const MatchOp
       if (grids.level(0).at(x, y) == 0 || (centre - middle).norm() > distance) {
         continue;
       }
-      const grid::Cell cell = cellOf(T_cells_grid * centre, maps.session.resolution());
+      const grid::Cell cell = grid::cellOf(T_cells_grid * centre, maps.session.resolution());
       if (maps.session.geometry().contains(cell) && maps.session.at(cell.x, cell.y) >= 0) {
         confirmed += isWallWithin(maps.session, cell, reach, options.search.occupied_threshold) ? 1 : 0;
         ++nearby.walls;

@@ -1,5 +1,6 @@
 #include "map_matcher/grid/grid_geometry.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -9,14 +10,26 @@
 #include "map_matcher/parameters/number_text.hpp"
 
 namespace map_matcher::grid {
+namespace {
+
+/// The conversion of a number that an int cannot hold has no defined result.
+int toCell(double coordinate) {
+  constexpr double kFarthest = kFarthestCell;
+  return coordinate > -kFarthest ? static_cast<int>(std::floor(std::min(coordinate, kFarthest))) : -kFarthestCell;
+}
+
+}  // namespace
+
+Cell cellOf(const Eigen::Vector2d& point, double resolution) {
+  return {toCell(point.x() / resolution), toCell(point.y() / resolution)};
+}
 
 Eigen::Vector2d GridGeometry::cellCentre(const Cell& cell) const {
   return T_map_grid * Eigen::Vector2d((cell.x + 0.5) * resolution, (cell.y + 0.5) * resolution);
 }
 
 Cell GridGeometry::cellAt(const Eigen::Vector2d& p_map) const {
-  const Eigen::Vector2d p_grid = T_map_grid.inverse() * p_map / resolution;
-  return {static_cast<int>(std::floor(p_grid.x())), static_cast<int>(std::floor(p_grid.y()))};
+  return cellOf(T_map_grid.inverse() * p_map, resolution);
 }
 
 void GridGeometry::validate() const {

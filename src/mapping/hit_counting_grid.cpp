@@ -13,15 +13,11 @@ namespace {
 constexpr int kGrowth = 32;          // [cells] the grid grows by multiples of this
 constexpr double kPlaces = 65536.0;  // in a cell, along each axis, that a mean can lie at
 constexpr int kLongestMean = 64;     // hits; later ones count as much as the last of these
-constexpr double kMaxLattice = 1e9;  // [cells] farther from the origin an int would overflow
-
-int floorToCell(double coordinate, double resolution) {
-  return static_cast<int>(std::clamp(std::floor(coordinate / resolution), -kMaxLattice, kMaxLattice));
-}
 
 int ceilToCell(double coordinate, double resolution) {
+  constexpr double kFarthest = grid::kFarthestCell;
   // Tolerates the rounding error of a coordinate that is meant to be a multiple of the resolution.
-  return static_cast<int>(std::clamp(std::ceil(coordinate / resolution - 1e-9), -kMaxLattice, kMaxLattice));
+  return static_cast<int>(std::clamp(std::ceil(coordinate / resolution - 1e-9), -kFarthest, kFarthest));
 }
 
 /// The smallest multiple of kGrowth that is at least `missing` cells; 0 when none are missing.
@@ -53,8 +49,7 @@ HitCountingGrid::HitCountingGrid(double resolution, const Extent& extent) : reso
                                 std::to_string(extent.min.y()) + ") to (" + std::to_string(extent.max.x()) + ", " +
                                 std::to_string(extent.max.y()) + ") m, expected min < max");
   }
-  first_ = {floorToCell(extent.min.x() + 1e-9 * resolution, resolution),
-            floorToCell(extent.min.y() + 1e-9 * resolution, resolution)};
+  first_ = latticeCell(extent.min.array() + 1e-9 * resolution);
   const auto width = std::int64_t{ceilToCell(extent.max.x(), resolution)} - first_.x;
   const auto height = std::int64_t{ceilToCell(extent.max.y(), resolution)} - first_.y;
   if (width > kMaxCells || height > kMaxCells || width * height > kMaxCells) {
@@ -99,9 +94,7 @@ grid::OccupancyGrid HitCountingGrid::toOccupancyGrid(double occupied_threshold) 
   return grid::OccupancyGrid(geometry, std::move(values));
 }
 
-grid::Cell HitCountingGrid::latticeCell(const Eigen::Vector2d& point) const {
-  return {floorToCell(point.x(), resolution_), floorToCell(point.y(), resolution_)};
-}
+grid::Cell HitCountingGrid::latticeCell(const Eigen::Vector2d& point) const { return grid::cellOf(point, resolution_); }
 
 bool HitCountingGrid::growTo(const grid::Cell& lower, const grid::Cell& upper) {
   const std::int64_t left = growthFor(std::int64_t{first_.x} - lower.x);
@@ -197,12 +190,41 @@ double HitCountingGrid::shareThroughWalls(const BeamFan& fan, double occupied_th
       continue;
     }
     bool crosses = false;
-    visitCells(fan.origin, fan.origin + (1.0 - margin / length) * way, [&](const grid::Cell& cell) {
-      crosses = crosses || (holds(cell) && isWall(counts_[indexOf(cell)], occupied_threshold));
-    });
+    if (const auto line = partWithin({fan.origin, fan.origin + (1.0 - margin / length) * way})) {
+      visitCells(line->from, line->to, [&](const grid::Cell& cell) {
+        crosses = crosses || (holds(cell) && isWall(counts_[indexOf(cell)], occupied_threshold));
+      });
+    }
     through += crosses ? 1 : 0;
   }
   return fan.beams.empty() ? 0.0 : static_cast<double>(through) / static_cast<double>(fan.beams.size());
+}
+
+/// The part of a line that may cross cells of the grid, which is all that a walk along it needs; nothing when none
+/// does. (Liang and Barsky, "A new concept and method for line clipping", 1984.)
+std::optional<HitCountingGrid::Line> HitCountingGrid::partWithin(const Line& line) const {
+  const Eigen::Vector2d lower = resolution_ * Eigen::Vector2d(first_.x - 1.0, first_.y - 1.0);
+  const Eigen::Vector2d upper = lower + resolution_ * Eigen::Vector2d(width_ + 2.0, height_ + 2.0);
+  const Eigen::Vector2d way = line.to - line.from;
+  double enters = 0.0;  // shares of the way
+  double leaves = 1.0;
+  for (const int axis : {0, 1}) {
+    const double to_lower = lower[axis] - line.from[axis];
+    const double to_upper = upper[axis] - line.from[axis];
+    if (way[axis] == 0.0) {
+      leaves = to_lower <= 0.0 && to_upper >= 0.0 ? leaves : -1.0;
+    } else {
+      enters = std::max(enters, std::min(to_lower / way[axis], to_upper / way[axis]));
+      leaves = std::min(leaves, std::max(to_lower / way[axis], to_upper / way[axis]));
+    }
+  }
+  if (!way.allFinite() || !(enters <= leaves)) {
+    return std::nullopt;
+  }
+  const auto at = [&](double share) -> Eigen::Vector2d {  // within, though it be rounded
+    return (line.from + share * way).cwiseMax(lower).cwiseMin(upper);
+  };
+  return Line{enters > 0.0 ? at(enters) : line.from, leaves < 1.0 ? at(leaves) : line.to};
 }
 
 bool HitCountingGrid::holds(const grid::Cell& lattice_cell) const {

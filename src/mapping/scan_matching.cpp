@@ -46,9 +46,8 @@ std::vector<Point> thinnedHits(const BeamFan& fan) {
   std::set<std::pair<int, int>> taken;
   std::vector<Point> points;
   for (const Beam& beam : fan.beams) {
-    const std::pair<int, int> square{static_cast<int>(std::floor(beam.end.x() / kPointSpacing)),
-                                     static_cast<int>(std::floor(beam.end.y() / kPointSpacing))};
-    if (beam.hit && taken.insert(square).second) {
+    const grid::Cell square = grid::cellOf(beam.end, kPointSpacing);
+    if (beam.hit && taken.emplace(square.x, square.y).second) {
       points.push_back({beam.end, (beam.end - fan.origin).norm(), -1, std::nullopt});
     }
   }

@@ -4,6 +4,23 @@
 #include <cmath>
 
 namespace map_matcher::search {
+namespace {
+
+/// The part of a box that lies where maps may lie: the sums of numbers that are too large are none.
+WindowPrior bounded(const WindowPrior& box) {
+  constexpr double kFarthest = 1e12;  // [m]
+  if ((box.centre.cwiseAbs() + box.half_size).maxCoeff() <= kFarthest) {
+    return box;
+  }
+  const auto within = [&](const Eigen::Vector2d& corner) -> Eigen::Vector2d {
+    return corner.cwiseMax(-kFarthest).cwiseMin(kFarthest);
+  };
+  const Eigen::Vector2d low = within(box.centre - box.half_size);
+  const Eigen::Vector2d high = within(box.centre + box.half_size);
+  return {0.5 * (low + high), 0.5 * (high - low)};
+}
+
+}  // namespace
 
 grid::Rigid2 SearchFrames::mapPose(const CentrePose& pose, const Eigen::Vector2d& centre) const {
   const Eigen::Vector2d t = pose.position - grid::Rigid2{0.0, 0.0, pose.angle} * centre;
@@ -37,8 +54,9 @@ SearchWindow SearchFrames::window(const std::optional<WindowPrior>& prior, const
     return everywhere();
   }
   const grid::Rigid2 T_grid_reference = T_reference_grid_.inverse();
-  const Eigen::Vector2d box_centre = T_grid_reference * prior->centre;
-  const Eigen::Vector2d half_size = T_grid_reference.rotation().cwiseAbs() * prior->half_size;
+  const WindowPrior box = bounded(*prior);
+  const Eigen::Vector2d box_centre = T_grid_reference * box.centre;
+  const Eigen::Vector2d half_size = T_grid_reference.rotation().cwiseAbs() * box.half_size;
   const Eigen::Vector2d origin_in_grid = T_session_grid_.inverse().translation();
   const Eigen::Vector2d origin_from_centre = grid::Rigid2{0.0, 0.0, angle} * Eigen::Vector2d(origin_in_grid - centre);
   const Eigen::Vector2d middle = (box_centre - origin_from_centre) / resolution;

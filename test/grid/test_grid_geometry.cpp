@@ -45,6 +45,14 @@ TEST(GridGeometry, FindsEveryCellByItsCentreForAnyOrigin) {
   }
 }
 
+TEST(GridGeometry, PutsAPointThatIsTooFarOffForACellOnItsSide) {
+  const GridGeometry geometry{0.05, 100, 100, {}};
+
+  EXPECT_EQ(geometry.cellAt({1e300, -1e300}), (Cell{kFarthestCell, -kFarthestCell}));
+  EXPECT_EQ(geometry.cellAt({-1e9, 2.01}), (Cell{-kFarthestCell, 40}));
+  EXPECT_FALSE(geometry.contains(geometry.cellAt({std::nan(""), 2.0})));
+}
+
 TEST(GridGeometry, ContainsExactlyItsCells) {
   const GridGeometry geometry{1.0, 3, 2, {}};
 

@@ -200,5 +200,20 @@ TEST(HitCountingGrid, TellsHowManyBeamsGoThroughWalls) {
   EXPECT_EQ(grid.shareThroughWalls({{0.5, 2.5}, {}}, kThreshold, 1.3), 0.0);
 }
 
+TEST(HitCountingGrid, TakesNoLongerOverABeamThatEndsFarBeyondIt) {
+  HitCountingGrid grid = smallGrid();
+  grid.draw({{0.5, 1.5}, {{{2.5, 1.5}, true}}});
+  const Eigen::Vector2d behind = Eigen::Vector2d(1e8, 2e4);
+  const Eigen::Vector2d beside = Eigen::Vector2d(1e8, 2e8);
+  BeamFan fan{{0.5, 1.5}, {}};
+  for (int k = 0; k < 500; ++k) {  // to walk along them takes minutes
+    fan.beams.insert(fan.beams.end(), {{behind, true}, {beside, true}});
+  }
+
+  EXPECT_EQ(grid.shareThroughWalls(fan, kThreshold, 1.3), 0.5);
+  EXPECT_EQ(grid.shareThroughWalls({{1e9, 1.5}, {{{-1e9, 1.5}, true}}}, kThreshold, 1.3), 1.0);
+  EXPECT_EQ(grid.shareThroughWalls({{-1e300, 7.0}, {{{1e300, 7.0}, true}}}, kThreshold, 1.3), 0.0);
+}
+
 }  // namespace
 }  // namespace map_matcher::mapping

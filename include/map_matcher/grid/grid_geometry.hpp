@@ -17,6 +17,15 @@ struct Cell {
 inline bool operator==(const Cell& a, const Cell& b) { return a.x == b.x && a.y == b.y; }
 inline bool operator!=(const Cell& a, const Cell& b) { return !(a == b); }
 
+/// The farthest cell from the first one, along an axis and either way [cells]. Sums and differences of two such numbers
+/// are numbers, too.
+constexpr int kFarthestCell = 1'000'000'000;
+
+/// Cell that holds a point [m] of the frame at whose origin cell (0, 0) begins, by floor; along an axis along which the
+/// point lies farther off than kFarthestCell it is that, and along one along which the point is not a number
+/// -kFarthestCell.
+Cell cellOf(const Eigen::Vector2d& point, double resolution);
+
 /// Size, resolution and pose of a grid, as nav_msgs/MapMetaData has them.
 struct GridGeometry {
   double resolution = 0.05;  ///< Edge length of a cell [m], positive and finite.
@@ -27,7 +36,7 @@ struct GridGeometry {
   /// Centre of a cell in the map frame [m]. The cell may lie outside the grid.
   Eigen::Vector2d cellCentre(const Cell& cell) const;
 
-  /// Cell that holds a point of the map frame [m], by floor; it may lie outside the grid.
+  /// Cell that holds a point of the map frame [m], as cellOf(); it may lie outside the grid.
   Cell cellAt(const Eigen::Vector2d& p_map) const;
 
   /// Whether a cell lies inside the grid.

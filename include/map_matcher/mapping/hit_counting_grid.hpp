@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "map_matcher/grid/occupancy_grid.hpp"
@@ -61,10 +62,16 @@ class HitCountingGrid {
     std::uint16_t mean_y = 0;
   };
 
+  struct Line {
+    Eigen::Vector2d from{0.0, 0.0};  // [m]
+    Eigen::Vector2d to{0.0, 0.0};
+  };
+
   grid::Cell latticeCell(const Eigen::Vector2d& point) const;
   bool growTo(const grid::Cell& lower, const grid::Cell& upper);
   template <typename Visit>
   void visitCells(const Eigen::Vector2d& from, const Eigen::Vector2d& to, Visit&& visit) const;
+  std::optional<Line> partWithin(const Line& line) const;
   void count(const grid::Cell& lattice_cell, const Eigen::Vector2d& end, bool hit);
   static bool isWall(const Counts& counts, double occupied_threshold) {
     return counts.hits > occupied_threshold * counts.visits;

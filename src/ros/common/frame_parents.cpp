@@ -4,6 +4,7 @@
 #include <set>
 
 #include "map_matcher/ros/common/conversions.hpp"
+#include "map_matcher/ros/common/stamps.hpp"
 
 namespace map_matcher::ros_common {
 namespace {
@@ -22,7 +23,7 @@ void FrameParents::add(const tf2_msgs::TFMessage& message, const std::string& pu
     if (is_new || (known.is_static && !is_static)) {
       continue;
     }
-    const double interval = (now - known.heard).toSec();
+    const double interval = secondsBetween(known.heard, now);
     const bool goes_on = interval >= 0.0 && interval <= kMostMemory;  // else time jumped, or it was away
     known = {parent, is_static, now, goes_on ? std::max(known.longest_interval, interval) : 0.0};
   }
@@ -67,7 +68,7 @@ std::vector<ContestedFrame> FrameParents::contestedAmong(const std::vector<std::
 }
 
 bool FrameParents::isPresent(const Entry& entry, const ros::Time& now) {
-  const double age = (now - entry.heard).toSec();  // negative after time went back
+  const double age = secondsBetween(entry.heard, now);  // negative after time went back
   return entry.is_static ||
          (age >= 0.0 && age <= std::clamp(kIntervals * entry.longest_interval, kLeastMemory, kMostMemory));
 }

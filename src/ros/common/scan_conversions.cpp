@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "map_matcher/parameters/number_text.hpp"
 #include "map_matcher/ros/common/conversions.hpp"
 #include "map_matcher/ros/common/detection_messages.hpp"
 
@@ -16,12 +17,14 @@ namespace {
 constexpr double kQuaternionTolerance = 1e-3;  // deviation of the norm from one
 constexpr double kAngleTolerance = 0.01;       // [rad] of angle_max, besides two beams
 constexpr double kTiltTolerance = 1e-3;        // deviation of the laser's z axis from vertical, as 1 - |cosine|
+constexpr double kFarthest = 1e8;              // [m] no robot is farther from anything; its cells are numbers still
 
 tf2::Matrix3x3 rotationOf(const geometry_msgs::Transform& transform, const std::string& name) {
   const auto& t = transform.translation;
-  if (!std::isfinite(t.x) || !std::isfinite(t.y) || !std::isfinite(t.z)) {
-    throw MessageError(name + " has translation (" + std::to_string(t.x) + ", " + std::to_string(t.y) + ", " +
-                       std::to_string(t.z) + "), expected finite numbers");
+  if (!(std::abs(t.x) <= kFarthest && std::abs(t.y) <= kFarthest && std::abs(t.z) <= kFarthest)) {
+    throw MessageError(name + " has translation (" + parameters::numberText(t.x) + ", " + parameters::numberText(t.y) +
+                       ", " + parameters::numberText(t.z) + "), expected numbers within " +
+                       parameters::numberText(kFarthest) + " m");
   }
   const auto& q = transform.rotation;
   const tf2::Quaternion quaternion(q.x, q.y, q.z, q.w);

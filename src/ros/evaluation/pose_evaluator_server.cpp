@@ -7,6 +7,7 @@
 
 #include "map_matcher/ros/common/conversions.hpp"
 #include "map_matcher/ros/common/scan_conversions.hpp"
+#include "map_matcher/ros/common/stamps.hpp"
 
 namespace map_matcher::ros_evaluation {
 namespace {
@@ -102,7 +103,7 @@ void PoseEvaluatorServer::drainQueue(const ros::Time& now) {
   for (; !queue_.empty(); queue_.pop_front()) {
     const WaitingTruth& truth = queue_.front();
     const std::optional<grid::Rigid2> estimate = lookUp(options_.base_frame, truth.stamp);
-    if (!estimate && now - truth.stamp < ros::Duration(options_.transform_timeout)) {
+    if (!estimate && ros_common::secondsBetween(truth.stamp, now) < options_.transform_timeout) {
       return;
     }
     record_.add(

@@ -7,11 +7,12 @@
 #include "map_matcher/parameters/option_check.hpp"
 #include "map_matcher/ros/common/conversions.hpp"
 #include "map_matcher/ros/common/scan_conversions.hpp"
+#include "map_matcher/ros/common/stamps.hpp"
 
 namespace map_matcher::ros_mapping {
 namespace {
 
-const ros::Duration kReorderTolerance(0.5);  // scans older than their predecessor by less are out of order
+constexpr double kReorderTolerance = 0.5;  // [s] scans older than their predecessor by less are out of order
 
 }  // namespace
 
@@ -63,7 +64,7 @@ MappingUpdate SessionMapping::addScan(const sensor_msgs::LaserScan& scan, const 
 
 bool SessionMapping::beginSessionIfTimeJumped(const ros::Time& stamp, std::size_t laser) {
   const ros::Time last_scan = lasers_[laser].last_scan;
-  const bool jumped = stamp + kReorderTolerance < last_scan;
+  const bool jumped = ros_common::secondsBetween(stamp, last_scan) > kReorderTolerance;
   if (jumped) {
     beginNewSession();
   } else if (stamp < last_scan) {
@@ -95,7 +96,7 @@ bool SessionMapping::isThrottled(std::size_t laser) {
 
 bool SessionMapping::mapIsDue(const mapping::ScanReport& report, const ros::Time& stamp) const {
   return report.outcome == mapping::ScanOutcome::kDrawn &&
-         (!last_map_ || stamp - *last_map_ > ros::Duration(options_.map_update_interval));
+         (!last_map_ || ros_common::secondsBetween(*last_map_, stamp) > options_.map_update_interval);
 }
 
 }  // namespace map_matcher::ros_mapping

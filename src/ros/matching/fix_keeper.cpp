@@ -7,6 +7,8 @@
 #include <system_error>
 #include <utility>
 
+#include "map_matcher/ros/common/stamps.hpp"
+
 namespace map_matcher::ros_matching {
 namespace {
 
@@ -58,7 +60,7 @@ FixKeeper::~FixKeeper() {
 }
 
 void FixKeeper::keep(const ros::Time& now) {
-  if (path_.empty() || (now >= kept_ && (now - kept_).toSec() < kPeriod)) {
+  if (path_.empty() || (now >= kept_ && ros_common::secondsBetween(kept_, now) < kPeriod)) {
     return;
   }
   const std::optional<LocatedRobot> robot = locator_.locate(now);

@@ -10,6 +10,7 @@
 #include "map_matcher/ros/common/conversions.hpp"
 #include "map_matcher/ros/common/names.hpp"
 #include "map_matcher/ros/common/pose_messages.hpp"
+#include "map_matcher/ros/common/stamps.hpp"
 
 namespace map_matcher::ros_matching {
 namespace {
@@ -76,7 +77,7 @@ void InitialPoseSource::handOver(const ros::Time& now) {
   const MapsInUse maps = maps_();
   const std::string& session_frame = maps.session_frame;
   const ros::Time stamp = message.header.stamp.isZero() ? pending_->since : message.header.stamp;
-  const bool is_late = (now - pending_->since).toSec() > kPatience || now < pending_->since;
+  const bool is_late = ros_common::secondsBetween(pending_->since, now) > kPatience || now < pending_->since;
   const RobotPose robot = is_late ? robot_.atOrShortlyBefore(session_frame, stamp) : robot_.at(session_frame, stamp);
   if (robot.T_session_base) {
     const grid::Rigid2 pose = ros_common::fromMessage(message.pose.pose, kPoseName);

@@ -4,6 +4,7 @@
 #include <ros/console.h>
 
 #include "map_matcher/ros/common/names.hpp"
+#include "map_matcher/ros/common/stamps.hpp"
 #include "map_matcher/ros/matching/match_messages.hpp"
 
 namespace map_matcher::ros_matching {
@@ -46,7 +47,7 @@ void MatchPosePublisher::publishPending(const ros::Time& now) {
   if (robot.T_session_base) {
     publisher_.publish(poseMessage(match, *robot.T_session_base));
     pending_.reset();
-  } else if ((now - pending_->since).toSec() > kPatience) {
+  } else if (ros_common::secondsBetween(pending_->since, now) > kPatience) {
     ROS_WARN_STREAM_THROTTLE(kWarningPeriod, "match_pose is not sent: " << robot.reason);
     pending_.reset();
   }

@@ -7,6 +7,7 @@
 
 #include "map_matcher/ros/common/conversions.hpp"
 #include "map_matcher/ros/common/scan_conversions.hpp"
+#include "map_matcher/ros/common/stamps.hpp"
 
 namespace map_matcher::ros_matching {
 namespace {
@@ -38,7 +39,7 @@ RobotPose RobotPoseSource::atOrShortlyBefore(const std::string& session_frame, c
   }
   try {
     RobotPose newest = lookUp(session_frame, ros::Time());
-    const double age = (stamp - newest.stamp).toSec();
+    const double age = ros_common::secondsBetween(newest.stamp, stamp);
     return age >= 0.0 && age <= kMaxAge ? newest : unknown(session_frame, stamp, kMaxAge);
   } catch (const tf2::TransformException&) {
     return pose;
@@ -76,7 +77,7 @@ RobotPose RobotPoseSource::unknown(const std::string& session_frame, const ros::
   std::ostringstream reason;
   try {
     const ros::Time newest = tf_.lookupTransform(session, base_frame_, ros::Time()).header.stamp;
-    const double age = (stamp - newest).toSec();
+    const double age = ros_common::secondsBetween(newest, stamp);
     reason << "tf knows where \"" << base_frame_ << "\" is in \"" << session << "\" ";
     if (age > 0.0) {
       reason << "up to " << age << " s before the session map, expected at most " << max_age << " s";

@@ -164,5 +164,14 @@ TEST(ScanConversions, RefuseTransformsThatAreNotFiniteOrNotNormalised) {
   EXPECT_THROW(laserMountFrom(not_finite), ros_common::MessageError);
 }
 
+TEST(ScanConversions, RefuseTransformsToWhereNoRobotIs) {
+  const double far = 1.01e8;
+
+  EXPECT_THROW(projectToPlane(transformOf(far, 0.0, 0.0, 0.0, 0.0), "the odometry"), ros_common::MessageError);
+  EXPECT_THROW(projectToPlane(transformOf(0.0, -far, 0.0, 0.0, 0.0), "the odometry"), ros_common::MessageError);
+  EXPECT_THROW(laserMountFrom(transformOf(1e300, 0.0, 0.0, 0.0, 0.0)), ros_common::MessageError);
+  EXPECT_NO_THROW(projectToPlane(transformOf(5e5, 5.5e6, 0.0, 0.0, 0.0), "UTM"));
+}
+
 }  // namespace
 }  // namespace map_matcher::ros_common

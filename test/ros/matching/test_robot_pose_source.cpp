@@ -87,6 +87,17 @@ TEST_F(RobotPoseSourceTest, NeverTakesAPoseThatIsOlderOrNewer) {
             "as that");
 }
 
+TEST_F(RobotPoseSourceTest, KnowsNoPoseForAMapWhoseStampLiesACenturyAway) {
+  send("session_map", "base_link", 10.0, 3.0);
+
+  const RobotPose pose = source_.atOrShortlyBefore("session_map", ros::Time(4'000'000'000U, 0));
+
+  EXPECT_FALSE(pose.T_session_base);
+  EXPECT_EQ(pose.reason,
+            "tf knows where \"base_link\" is in \"session_map\" up to 4e+09 s before the session map, expected at most "
+            "0.5 s");
+}
+
 TEST_F(RobotPoseSourceTest, SaysWhatTfDoesNotKnow) {
   EXPECT_EQ(source_.atOrShortlyBefore("session_map", ros::Time(10.0)).reason, "tf knows no frame \"base_link\"");
 

@@ -30,13 +30,14 @@ sensor_msgs::LaserScanConstPtr scrubbedMessage(const sensor_msgs::LaserScanConst
 /// The scan of a message. Throws MessageError that names the field, its value and what was expected.
 scan::PlanarScan fromMessage(const sensor_msgs::LaserScan& message);
 
-/// How a laser sits on the robot, from the transform base <- laser. Throws MessageError for a transform that is not
-/// finite, a quaternion that is not normalised, and a laser whose scan plane is tilted by more than about 2.5 degrees
-/// (slam_gmapping's limit).
+/// How a laser sits on the robot, from the transform base <- laser. Throws MessageError for a translation that is not
+/// within 1e8 m, a quaternion that is not normalised, and a laser whose scan plane is tilted by more than about 2.5
+/// degrees (slam_gmapping's limit).
 scan::LaserMount laserMountFrom(const geometry_msgs::Transform& T_base_laser);
 
 /// The part of a transform in the plane: x, y and yaw; height, roll and pitch are dropped, as slam_gmapping does with
-/// odometry. Throws MessageError, naming `name`, for a transform that is not finite or not normalised.
+/// odometry. Throws MessageError, naming `name`, for a translation that is not within 1e8 m or a quaternion that is not
+/// normalised.
 grid::Rigid2 projectToPlane(const geometry_msgs::Transform& transform, const std::string& name);
 
 }  // namespace map_matcher::ros_common
