@@ -67,10 +67,16 @@ PoseEstimate doubtful(PoseEstimate estimate) {
   return estimate;
 }
 
+/// Of the first map: around the robot, so that a map costs as little however far off odometry began.
+Extent extentAround(const Eigen::Vector2d& robot, const SessionMapperOptions& options) {
+  const Eigen::Vector2d middle = (robot / options.delta).array().round() * options.delta;
+  return {middle + Eigen::Vector2d(options.xmin, options.ymin), middle + Eigen::Vector2d(options.xmax, options.ymax)};
+}
+
 /// What was drawn. Begins with the first scan.
 struct Session {
-  explicit Session(const SessionMapperOptions& options)
-      : grid(options.delta, {{options.xmin, options.ymin}, {options.xmax, options.ymax}}) {}
+  Session(const SessionMapperOptions& options, const Eigen::Vector2d& robot)
+      : grid(options.delta, extentAround(robot, options)) {}
 
   HitCountingGrid grid;
   std::map<std::size_t, LaserHistory> lasers;  // of which a scan was drawn
@@ -137,7 +143,7 @@ class SessionMapper::Impl {
   }
 
   void startSession(std::size_t laser, const BeamFan& fan, ScanReport& report) {
-    session_.emplace(options_);
+    session_.emplace(options_, estimate_.T_session_base.translation());
     draw(laser, fan, report);
     if (report.outcome == ScanOutcome::kMapFull) {
       session_.reset();

@@ -57,7 +57,7 @@ parameters::ParameterList parametersOf(SessionMapperOptions& options) {
       {"delta", "m", "Edge length of a cell of the map.", &options.delta, kSmallestCell, kLargestCell},
       {"occ_thresh", "", "A cell is a wall when more than this share of the beams that reached it ended in it.",
        &options.occ_thresh, 0.0, 1.0},
-      {"xmin", "m", "Left side of the first map in the session frame, less than xmax; it grows as needed.",
+      {"xmin", "m", "Left side of the first map as seen from the robot, less than xmax; the map grows as needed.",
        &options.xmin, -kLargestExtent, kLargestExtent},
       {"ymin", "m", "Lower side of the first map, less than ymax.", &options.ymin, -kLargestExtent, kLargestExtent},
       {"xmax", "m", "Right side of the first map.", &options.xmax, -kLargestExtent, kLargestExtent},

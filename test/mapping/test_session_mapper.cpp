@@ -135,10 +135,7 @@ TEST(SessionMapper, CorrectsOdometryThatDrifts) {
 
 TEST(SessionMapper, MapsFarFromTheOriginOfOdometryAsWellAsNearIt) {
   const Room room{-3.0 + 50'000.0, 4.02 + 50'000.0, -2.0, 2.52};
-  SessionMapperOptions options;
-  options.xmin = 49'990.0;
-  options.xmax = 50'010.0;
-  SessionMapper mapper(options);
+  SessionMapper mapper;
 
   for (int i = 0; i <= 40; ++i) {
     const grid::Rigid2 pose{49'999.0 + 0.05 * i, 0.0, 0.03 * i};
@@ -281,6 +278,23 @@ TEST(SessionMapper, BeginsANewSessionAfterReset) {
   EXPECT_NEAR(mapper.T_session_base().x, 7.0, 1e-12);
   for (const Eigen::Vector2d& wall : wallsOf(*mapper.map())) {
     EXPECT_LE(distanceToWall(small, wall), 0.05) << wall.transpose();
+  }
+}
+
+TEST(SessionMapper, DrawsASmallMapHoweverFarOffOdometryBegins) {
+  for (const double far : {50.0, 5e4, 1e7}) {
+    SessionMapper mapper;
+    const grid::Rigid2 odometry{far, -2.0 * far, 0.5};
+    const Room room{far - 5.0, far + 4.0, -2.0 * far - 3.0, -2.0 * far + 4.5};
+
+    EXPECT_EQ(mapper.addScan(0.0, odometry, scanFrom(room, odometry), {}).outcome, ScanOutcome::kDrawn);
+
+    const grid::OccupancyGrid map = *mapper.map();
+    EXPECT_NEAR(map.width(), 400, 1) << far;
+    EXPECT_NEAR(map.height(), 400, 1) << far;
+    for (const Eigen::Vector2d& wall : wallsOf(map)) {
+      EXPECT_LE(distanceToWall(room, wall), 0.05) << wall.transpose();
+    }
   }
 }
 

@@ -18,15 +18,15 @@ struct SessionMapperOptions {
   /// [s] A scan is drawn when the last one that was is older than this, though the robot stands: people walk on, and
   /// walls appear behind them; below 0: never (`temporalUpdate`).
   double temporal_update = 0.5;
-  double max_range = 0.0;            ///< [m] Longer ranges say nothing; 0: the scan's range_max less 1 cm (`maxRange`).
-  double max_urange = 0.0;           ///< [m] Longer ranges only clear up to here; 0: as max_range (`maxUrange`).
-  double delta = 0.05;               ///< [m] Edge length of a cell.
-  double occ_thresh = 0.25;          ///< A cell is a wall when more than this share of its beams ended in it.
-  double xmin = -10.0;               ///< [m] Extent of the first map in the session frame; it grows as needed.
-  double ymin = -10.0;               ///< [m]
-  double xmax = 10.0;                ///< [m]
-  double ymax = 10.0;                ///< [m]
-  double match_linear_update = 0.1;  ///< [m] Motion after which a scan corrects the pose again.
+  double max_range = 0.0;    ///< [m] Longer ranges say nothing; 0: the scan's range_max less 1 cm (`maxRange`).
+  double max_urange = 0.0;   ///< [m] Longer ranges only clear up to here; 0: as max_range (`maxUrange`).
+  double delta = 0.05;       ///< [m] Edge length of a cell.
+  double occ_thresh = 0.25;  ///< A cell is a wall when more than this share of its beams ended in it.
+  double xmin = -10.0;       ///< [m] Extent of the first map, along the session frame's axes, from the robot; it grows.
+  double ymin = -10.0;       ///< [m]
+  double xmax = 10.0;        ///< [m]
+  double ymax = 10.0;        ///< [m]
+  double match_linear_update = 0.1;    ///< [m] Motion after which a scan corrects the pose again.
   double match_angular_update = 0.05;  ///< [rad] The same for turning.
   double sigma = 0.05;  ///< [m] Deviation of the ends of beams from the wall that they ended at, as it was drawn.
   OdometryNoise odometry;
