@@ -1,7 +1,6 @@
 #!/usr/bin/env python3
 """The master ends, and comes back: nodes that know each other go on, and the robot's pose with them."""
 import os
-import signal
 import socket
 import subprocess
 import sys
@@ -42,7 +41,7 @@ def start_master():
 
 
 def end(process):
-    process.send_signal(signal.SIGINT)
+    process.terminate()  # SIGINT is ignored by what a shell started in the background, and by its children
     process.wait()
 
 
