@@ -41,7 +41,8 @@ class Screenshots(unittest.TestCase):
         self.script = subprocess.Popen(
             [CHECKOUT / "scripts/screenshots", f"{BUILD}/.install/setup.bash", self.pictures],
             env={**os.environ, "TMPDIR": str(self.temporary)}, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-            text=True, start_new_session=True)
+            text=True, start_new_session=True,
+            preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))  # also where these tests ignore it
 
     def assert_nothing_is_left(self):
         self.assertEqual(processes_of(self.temporary), [])
