@@ -8,7 +8,7 @@ FROM ros:noetic
 # Before the rest, so that a change of the sources installs nothing anew.
 WORKDIR /map_matcher
 COPY scripts/common.bash scripts/install_dependencies scripts/packages.txt scripts/
-RUN scripts/install_dependencies build && rm -rf /var/lib/apt/lists/*
+RUN scripts/install_dependencies build run && rm -rf /var/lib/apt/lists/*
 
 # Only what was installed stays.
 COPY . .

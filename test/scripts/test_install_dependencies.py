@@ -167,4 +167,4 @@ class InstallDependencies(unittest.TestCase):
         run = self.system.install_dependencies("buidl")
 
         self.assertEqual(run.returncode, 1)
-        self.assertIn("there is no group 'buidl', expected build, test, lint, docs or screenshots", run.stdout)
+        self.assertIn("there is no group 'buidl', expected build, run, test, lint, docs or screenshots", run.stdout)
