@@ -8,14 +8,9 @@
 #include "map_matcher/ros/bags/bag_reading.hpp"
 
 namespace map_matcher::ros_bags {
-namespace {
-
-const ros::Duration kTfHistory(30.0);  // transforms kept
-
-}  // namespace
 
 BagScanQueue::BagScanQueue(const rosbag::Bag& bag, const std::string& path, Use use)
-    : path_(path), use_(std::move(use)), tf_(kTfHistory) {
+    : path_(path), use_(std::move(use)) {
   tf_.takeStatic(bag);
 }
 

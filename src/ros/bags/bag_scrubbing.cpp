@@ -19,8 +19,6 @@
 namespace map_matcher::ros_bags {
 namespace {
 
-const ros::Duration kTfHistory(30.0);  // transforms kept
-
 std::vector<bool> marked(const std::vector<std::uint32_t>& beams, std::size_t num_beams) {
   std::vector<bool> marks(num_beams, false);
   for (const std::uint32_t beam : beams) {
@@ -34,7 +32,6 @@ class BagScrubbing {
  public:
   explicit BagScrubbing(const BagScrubbingRequest& request)
       : request_(request),
-        tf_(kTfHistory),
         transforms_(tf_.buffer()),
         poses_(transforms_, ros_common::frameName(request.options.fixed_frame)),
         removal_(

@@ -19,6 +19,8 @@ scrubbing::Stamp stampOf(const ros::Time& time) {
   return std::chrono::seconds(time.sec) + std::chrono::nanoseconds(time.nsec);
 }
 
+scrubbing::Stamp rosNow() { return stampOf(ros::Time::now()); }
+
 std::optional<ros::Time> rosTimeOf(scrubbing::Stamp stamp) {
   const auto whole = std::chrono::duration_cast<std::chrono::seconds>(stamp);
   if (stamp < scrubbing::Stamp(0) || whole.count() > std::numeric_limits<std::uint32_t>::max()) {

@@ -13,7 +13,6 @@
 namespace map_matcher::ros_matching {
 namespace {
 
-constexpr std::uint32_t kQueue = 1;
 constexpr std::uint32_t kOwnSubscribers = 1;
 
 geometry_msgs::PoseWithCovarianceStamped messageOf(const Fix& fix, const grid::Rigid2& T_session_base) {
@@ -31,7 +30,7 @@ geometry_msgs::PoseWithCovarianceStamped messageOf(const Fix& fix, const grid::R
 InitialPosePublisher::InitialPosePublisher(ros::NodeHandle node, const RobotPoseSource& robot, bool enabled)
     : robot_(robot), enabled_(enabled) {
   if (enabled_) {
-    publisher_ = node.advertise<geometry_msgs::PoseWithCovarianceStamped>(ros_common::names::kInitialPose, kQueue);
+    publisher_ = node.advertise<geometry_msgs::PoseWithCovarianceStamped>(ros_common::names::kInitialPose, 1);
   }
 }
 

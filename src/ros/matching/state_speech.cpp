@@ -7,8 +7,6 @@
 namespace map_matcher::ros_matching {
 namespace {
 
-constexpr std::uint32_t kQueue = 1;
-
 std::string sentenceOf(std::uint8_t state, const std::string& reference) {
   switch (state) {
     case MapMatch::LOCALIZED:
@@ -24,7 +22,7 @@ std::string sentenceOf(std::uint8_t state, const std::string& reference) {
 
 StateSpeech::StateSpeech(ros::NodeHandle node, bool enabled) {
   if (enabled) {
-    publisher_ = node.advertise<std_msgs::String>(ros_common::names::kSpeech, kQueue, true);
+    publisher_ = node.advertise<std_msgs::String>(ros_common::names::kSpeech, 1, true);
   }
 }
 

@@ -41,8 +41,6 @@ scrubbing::DetectorLimits limitsOf(const LidarScrubberServerOptions& options) {
   return {options.silence_warning, options.silence_error, options.scrubbing.cache.cache_duration};
 }
 
-scrubbing::Stamp rosNow() { return ros_common::stampOf(ros::Time::now()); }
-
 /// Of a clock that never goes back.
 scrubbing::Stamp steadyNow() { return std::chrono::steady_clock::now().time_since_epoch(); }
 
@@ -65,7 +63,7 @@ LidarScrubberServer::LidarScrubberServer(ros::NodeHandle node, const ros::NodeHa
       scan_publisher_(node.advertise<sensor_msgs::LaserScan>("scan_scrubbed", kScanQueue)),
       reconfiguration_(private_node, options_,
                        [this](const LidarScrubberServerOptions& changed) { onOptions(changed); }) {
-  detectors_.restart(rosNow());
+  detectors_.restart(ros_common::rosNow());
   for (const std::string& topic : options_.detection_topics) {
     detection_subscribers_.push_back(std::make_unique<DetectionSubscriber>(
         node, topic, [this](scrubbing::DetectionSet set) { onDetections(std::move(set)); },
@@ -99,7 +97,7 @@ void LidarScrubberServer::onOptions(const LidarScrubberServerOptions& options) {
 }
 
 void LidarScrubberServer::takeScan(const sensor_msgs::LaserScanConstPtr& scan) {
-  const scrubbing::Stamp now = rosNow();
+  const scrubbing::Stamp now = ros_common::rosNow();
   if (record_.scans == 0) {
     detectors_.restart(now);
   }
@@ -130,7 +128,7 @@ std::optional<scrubbing::RawScan> LidarScrubberServer::usable(const sensor_msgs:
 }
 
 void LidarScrubberServer::takeDetections(scrubbing::DetectionSet set) {
-  const scrubbing::Stamp now = rosNow();
+  const scrubbing::Stamp now = ros_common::rosNow();
   scrubbing::DetectorRecord& record = detectors_.record(set.source);
   if (isFromTheFuture(record, set, now)) {
     return;
@@ -178,7 +176,7 @@ void LidarScrubberServer::onBadDetections(const std::string& topic, const std::s
 void LidarScrubberServer::handOn(const sensor_msgs::LaserScanConstPtr& scan, const scrubbing::ScrubbedScan& scrubbed) {
   bool is_settled = false;
   guard_.run("scrubbed scan", [&] {
-    const scrubbing::Stamp now = rosNow();
+    const scrubbing::Stamp now = ros_common::rosNow();
     record_.timed_out += scrubbed.answered ? 0 : 1;
     detectors_.onScan(ros_common::stampOf(scan->header.stamp), now);
     if (!isWithheld(scrubbed, now)) {

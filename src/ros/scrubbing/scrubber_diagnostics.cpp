@@ -13,8 +13,6 @@ using ros_common::diagnostics::kWarn;
 
 constexpr double kScanSilence = 2.0;  // [s] without a scan that is an error
 
-scrubbing::Stamp rosNow() { return ros_common::stampOf(ros::Time::now()); }
-
 std::int64_t countOf(const ScanRecord& record, scrubbing::PosePath path) {
   return record.paths[static_cast<std::size_t>(path)];
 }
@@ -49,7 +47,7 @@ double ScrubberDiagnostics::Rate::update(std::int64_t new_count) {
 }
 
 void ScrubberDiagnostics::reportScans(Status& status) {
-  const double silence = scrubbing::seconds(rosNow() - now_.last_scan);
+  const double silence = scrubbing::seconds(ros_common::rosNow() - now_.last_scan);
   if (now_.last_scan == scrubbing::Stamp(0)) {
     status.summary(kWarn, "no scan yet");
   } else if (silence > kScanSilence) {
@@ -127,7 +125,7 @@ void ScrubberDiagnostics::reportDetector(const std::string& topic, Status& statu
   const scrubbing::DetectorRecord& record = state_.detectors.records().at(topic);
   summarizeDetector(record, status);
   status.addf("rate [Hz]", "%.1f", detector_rates_[topic].update(record.messages));
-  status.addf("silent for [s]", "%.2f", state_.detectors.silence(record, rosNow()));
+  status.addf("silent for [s]", "%.2f", state_.detectors.silence(record, ros_common::rosNow()));
   status.addf("behind the scans [s]", "%.3f", record.last_delay);
   status.add("messages", record.messages);
   status.add("detections used", record.detections);
@@ -138,7 +136,7 @@ void ScrubberDiagnostics::reportDetector(const std::string& topic, Status& statu
 }
 
 void ScrubberDiagnostics::summarizeDetector(const scrubbing::DetectorRecord& record, Status& status) const {
-  const scrubbing::Stamp now = rosNow();
+  const scrubbing::Stamp now = ros_common::rosNow();
   const double silence = state_.detectors.silence(record, now);
   const bool is_heard = record.last_heard != scrubbing::Stamp(0);
   switch (state_.detectors.health(record, now)) {

@@ -17,7 +17,7 @@ namespace map_matcher::ros_bags {
 class BagTransforms {
  public:
   /// `history`: how long transforms are kept.
-  explicit BagTransforms(const ros::Duration& history) : buffer_(history) {}
+  explicit BagTransforms(const ros::Duration& history = ros::Duration(30.0)) : buffer_(history) {}
 
   /// All of /tf_static.
   void takeStatic(const rosbag::Bag& bag);

@@ -16,6 +16,9 @@ namespace map_matcher::ros_common {
 /// The stamp of a message, exactly.
 scrubbing::Stamp stampOf(const ros::Time& time);
 
+/// What time it is by the clock of ROS.
+scrubbing::Stamp rosNow();
+
 /// The time of a stamp; nothing for one that ros::Time cannot show: before the epoch or after the year 2106.
 std::optional<ros::Time> rosTimeOf(scrubbing::Stamp stamp);
 
