@@ -68,7 +68,7 @@ void match(fuzz::Bytes& bytes) {
   belief::SessionTracker tracker(options);
   tracker.arrive(traitsOf(*session, "/mapper"));
   const belief::Findings findings =
-      findPlaces(matcher, maps, session->grid, options, ros_matching::constraintsOf(request), deadlineOf(500));
+      findPlaces(matcher, maps, session->grid, options, {}, ros_matching::constraintsOf(request), deadlineOf(500));
   check(ros_matching::toMessage(tracker.conclude(findings, maps, session->grid, robot)));
 }
 

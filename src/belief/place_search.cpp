@@ -37,8 +37,9 @@ class ExactSearch {
     return findings;
   }
 
-  Findings searchAll(const ReferenceMaps& maps, const search::Constraints& constraints,
-                     const work::Deadline& deadline) {
+  Findings searchAll(const ReferenceMaps& maps, const std::vector<KnownPlace>& starts,
+                     const search::Constraints& constraints, const work::Deadline& deadline) {
+    starts_ = starts;
     results_.resize(maps.size());
     if (maps.size() == 1) {
       search(*maps.front(), 0, std::nullopt, constraints, deadline);
@@ -49,8 +50,8 @@ class ExactSearch {
   }
 
  private:
-  /// In the order of what a glance finds in them: once the right one is searched, the others are ruled out by what
-  /// would have to be as good.
+  /// The map of the likeliest start first, then in the order of what a glance finds in them: once the right one is
+  /// searched, the others are ruled out by what would have to be as good.
   void searchSeveral(const ReferenceMaps& maps, const search::Constraints& constraints,
                      const work::Deadline& deadline) {
     const double easily = std::max(options_.search.coarse.acceptance_ratio, options_.belief.min_hit_ratio);
@@ -62,6 +63,8 @@ class ExactSearch {
     std::iota(numbers.begin(), numbers.end(), 0);
     std::stable_sort(numbers.begin(), numbers.end(),
                      [&glances](std::size_t a, std::size_t b) { return glances[a].ratio > glances[b].ratio; });
+    std::stable_partition(numbers.begin(), numbers.end(),
+                          [this](std::size_t map) { return !starts_.empty() && map == starts_.front().map; });
     for (const std::size_t map : numbers) {
       search(*maps[map], map, glances[map], constraints, deadline);
     }
@@ -84,6 +87,11 @@ class ExactSearch {
               const search::Constraints& constraints, const work::Deadline& deadline) {
     search::Demand demand = demandOf(options_);
     demand.min_hit_ratio = std::max(demand.min_hit_ratio, best_worth_ - demand.margin);
+    for (const KnownPlace& start : starts_) {
+      if (start.map == map) {
+        demand.starts.push_back(start.T_reference_session);
+      }
+    }
     std::vector<Candidate> judged;  // more than there are places: where the search begins is judged as well
     demand.worth = [&](const search::Place& place) {
       judged.push_back(candidateOf(reference, map, place));
@@ -114,6 +122,7 @@ class ExactSearch {
   const grid::OccupancyGrid& session_;
   const MatchOptions& options_;
   grid::SeenSpace seen_;
+  std::vector<KnownPlace> starts_;
   double best_worth_ = 0.0;
   std::vector<search::SearchResult> results_;
   std::vector<Candidate> candidates_;
@@ -162,7 +171,7 @@ Findings findPlaces(const search::MapMatcher& matcher, const ReferenceMaps& maps
         return *followed;
       }
     }
-    findings = search.searchAll(maps, constraints, work::Deadline(options.search.exact_deadline, stop));
+    findings = search.searchAll(maps, plan.starts, constraints, work::Deadline(options.search.exact_deadline, stop));
   } else {
     findings = searchInTwoStages(matcher, maps, session, options, constraints,
                                  work::Deadline(options.search.exact_deadline, stop));
@@ -172,9 +181,9 @@ Findings findPlaces(const search::MapMatcher& matcher, const ReferenceMaps& maps
 }
 
 Findings findPlaces(const search::MapMatcher& matcher, const ReferenceMaps& maps, const grid::OccupancyGrid& session,
-                    const MatchOptions& options, const search::Constraints& constraints,
-                    const work::Deadline& deadline) {
-  return isExact(options) ? ExactSearch(matcher, session, options).searchAll(maps, constraints, deadline)
+                    const MatchOptions& options, const std::vector<KnownPlace>& starts,
+                    const search::Constraints& constraints, const work::Deadline& deadline) {
+  return isExact(options) ? ExactSearch(matcher, session, options).searchAll(maps, starts, constraints, deadline)
                           : searchInTwoStages(matcher, maps, session, options, constraints, deadline);
 }
 

@@ -1,5 +1,7 @@
 #include "map_matcher/belief/session_tracker.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <utility>
 
 #include "map_matcher/belief/agreement.hpp"
@@ -10,6 +12,7 @@ namespace {
 
 constexpr double kDeadBand = 3.53;        // squared deviations that 68 % of poses lie within
 constexpr double kLeastVariance = 1e-12;  // [m^2, rad^2] so that there is an inverse
+constexpr std::size_t kMostStarts = 3;    // places of a map that the search of the next one begins in
 
 }  // namespace
 
@@ -37,17 +40,27 @@ std::string SessionTracker::arrive(const SessionMapTraits& traits) {
 }
 
 Plan SessionTracker::plan() const {
-  const bool due = maps_since_proof_ + 1 >= options_.belief.maps_per_proof;
-  if (!alignment_ || robot_was_lost_ || contender_ || due || options_.search.search != "exact") {
-    return {};
+  Plan plan;
+  if (alignment_) {
+    plan.starts.push_back(*alignment_);
   }
-  return {alignment_, worth_};
+  plan.starts.insert(plan.starts.end(), starts_.begin(), starts_.end());
+  if (prior_) {
+    plan.starts.push_back(prior_->place);
+  }
+  const bool due = maps_since_proof_ + 1 >= options_.belief.maps_per_proof;
+  if (alignment_ && !robot_was_lost_ && !contender_ && !due && options_.search.search == "exact") {
+    plan.follow = alignment_;
+    plan.worth = worth_;
+  }
+  return plan;
 }
 
 Decision SessionTracker::conclude(const Findings& findings, const ReferenceMaps& maps, const grid::OccupancyGrid& map,
                                   const std::optional<Eigen::Vector2d>& robot) {
   const std::uint64_t digest = digestOf(map);
   const Findings weighed = weigh(findings);
+  noteStarts(weighed);
   Decision decision;
   decision.answer = judge(weighed, options_, circumstancesOf(weighed, maps, map, robot, digest));
   hold(decision.answer);
@@ -174,6 +187,16 @@ Broadcast SessionTracker::remember(const Findings& findings, const Answer& answe
       break;  // the map was not searched
   }
   return Broadcast::kKeep;
+}
+
+void SessionTracker::noteStarts(const Findings& findings) {
+  if (findings.followed || findings.candidates.empty()) {
+    return;  // what was found before is all that is known
+  }
+  starts_.clear();
+  for (std::size_t k = 0; k < std::min(kMostStarts, findings.candidates.size()); ++k) {
+    starts_.emplace_back(findings.candidates[k].place.T_reference_session, findings.candidates[k].map);
+  }
 }
 
 void SessionTracker::forgetDoubts() {

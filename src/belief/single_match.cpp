@@ -23,7 +23,7 @@ Answer matchAlone(const ReferenceMaps& maps, const grid::OccupancyGrid& session,
                   const search::Constraints& constraints, const work::Deadline& deadline) {
   requireValid(options);
   const search::MapMatcher matcher(options.search);
-  return judge(findPlaces(matcher, maps, session, options, constraints, deadline), options);
+  return judge(findPlaces(matcher, maps, session, options, {}, constraints, deadline), options);
 }
 
 }  // namespace map_matcher::belief

@@ -86,6 +86,7 @@ struct RepeatedRoom {
   std::unique_ptr<grid::OccupancyGrid> reference;
   std::unique_ptr<grid::OccupancyGrid> session;
   MatchOptions options;
+  std::vector<KnownPlace> starts;
 };
 
 /// What was said of how many cuts, and how much of it is wrong.
@@ -154,7 +155,7 @@ void cutEverywhere(const RepeatedRoom& room, const Circumstances& prior, test::C
   bool reached = true;
   for (long look = 1; reached; ++look) {
     const test::Cut cut(look, kind);
-    const Answer result = matcher.match(*room.session, prior, cut.deadline());
+    const Answer result = matcher.match(*room.session, prior, cut.deadline(), room.starts);
     reached = cut.reached();
     const bool flawless = tally.flawless();
     check(result, whole, truth, tally);
@@ -179,6 +180,10 @@ TEST(MatchCuts, GiveNoVerdictThatTheWholeMatchDoesNotGive) {
       prior.alignment = grid::Rigid2{2.0, 1.0, 0.5};
     }
 
+    if (seed % 3 == 1) {  // where it is, where it is not, and where nothing is
+      room.starts = {room.match({}, work::Deadline()).search.T_reference_session, grid::Rigid2{3.0, 2.0, -1.0},
+                     grid::Rigid2{1e9, -1e9, 2.0}};
+    }
     cutEverywhere(room, prior, seed % 5 == 4 ? test::Cut::Kind::kStop : test::Cut::Kind::kDeadline, name, tally);
   }
   std::cout << tally << '\n';

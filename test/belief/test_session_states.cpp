@@ -125,6 +125,37 @@ TEST_F(SessionStates, FollowThePlaceInUseAndProveItNowAndThen) {
   EXPECT_FALSE(tracker_.plan().follow) << "the third of three maps is searched as a whole";
 }
 
+std::vector<double> startsOf(const Plan& plan) {
+  std::vector<double> starts;
+  for (const KnownPlace& place : plan.starts) {
+    starts.push_back(place.T_reference_session.x);
+  }
+  return starts;
+}
+
+TEST_F(SessionStates, LetTheNextSearchBeginInThePlacesOfTheLastMap) {
+  Findings unproven = found({candidate(kHere, 0.8), candidate(kElsewhere, 0.78)});
+  unproven.results.front().certified = unproven.search.certified = false;
+  EXPECT_TRUE(startsOf(tracker_.plan()).empty());
+
+  conclude(unproven, 1);
+  EXPECT_EQ(startsOf(tracker_.plan()), std::vector<double>({kHere, kElsewhere}));
+  conclude(found({}), 2);
+  EXPECT_EQ(startsOf(tracker_.plan()), std::vector<double>({kHere, kElsewhere})) << "a search that found nothing";
+  tracker_.suppose(supposed(7.0));
+  EXPECT_EQ(startsOf(tracker_.plan()), std::vector<double>({kHere, kElsewhere, 7.0}));
+  tracker_.reset();
+  EXPECT_TRUE(startsOf(tracker_.plan()).empty());
+}
+
+TEST_F(SessionStates, LetAProofBeginInThePlaceThatWasFollowed) {
+  conclude(found({candidate(kHere, 0.8)}), 1);
+
+  conclude(followed(kHere + 0.1, 0.75), 2);
+
+  EXPECT_EQ(startsOf(tracker_.plan()), std::vector<double>({kHere + 0.1, kHere}));
+}
+
 TEST_F(SessionStates, StayWhereTheyAreWithinTheDeviationOfAMap) {
   const auto nearby = [](double x) {
     Findings findings = followed(x, 0.8);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "map_matcher/search/map_matcher.hpp"
+#include "support/cut.hpp"
 #include "support/random_maps.hpp"
 
 namespace map_matcher::search {
@@ -100,6 +101,62 @@ TEST(Places, AreThoseOfAMatchFromAGlance) {
     EXPECT_EQ(from_there.hit_cells, whole.hit_cells);
     EXPECT_EQ(from_there.margin, whole.margin);
     ASSERT_EQ(from_there.places.size(), whole.places.size());
+  }
+}
+
+TEST(Places, AreTheSameWhereverTheSearchBegins) {
+  for (std::uint32_t seed = 0; seed < 8; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const ThreeBuildings buildings(seed);
+    SearchOptions options;
+    options.threads = 1 + static_cast<int>(seed % 2);
+    options.hit_tolerance = seed % 4 < 2 ? 0.0 : options.hit_tolerance;
+    Demand demand;
+    demand.min_hit_ratio = 0.3;
+    demand.margin = 0.3;
+    Demand with_starts = demand;
+    const grid::Rigid2& truth = buildings.truth;
+    with_starts.starts = {{truth.x + 10.0, truth.y, truth.yaw},
+                          {truth.x + 0.07, truth.y - 0.05, truth.yaw + 0.01},
+                          {4.0, 3.0, -2.0},
+                          {1e12, -1e12, 100.0}};
+
+    const SearchResult plain = buildings.match(demand, options);
+    const SearchResult begun = buildings.match(with_starts, options);
+
+    EXPECT_TRUE(begun.certified);
+    EXPECT_EQ(begun.hit_cells, plain.hit_cells);
+    EXPECT_EQ(apart(begun.T_reference_session, plain.T_reference_session), 0.0);
+    EXPECT_EQ(begun.upper_bound, plain.upper_bound);
+    EXPECT_EQ(begun.margin, plain.margin);
+    EXPECT_EQ(begun.elsewhere_bound, plain.elsewhere_bound);
+    ASSERT_EQ(begun.places.size(), plain.places.size());
+    for (std::size_t k = 0; k < plain.places.size(); ++k) {
+      EXPECT_EQ(apart(begun.places[k].T_reference_session, plain.places[k].T_reference_session), 0.0) << "place " << k;
+    }
+  }
+}
+
+TEST(MapMatcher, KnowsTheBestOfItsStartsWhateverTimeIsLeft) {
+  const ThreeBuildings buildings(6);
+  const MapMatcher matcher;
+  const Reference reference(buildings.reference, {});
+  const grid::OccupancyGrid& session = buildings.session.front();
+  Demand demand;
+  demand.starts = {{buildings.truth.x + 0.05, buildings.truth.y, buildings.truth.yaw}};
+  const SearchResult whole = matcher.match(reference, session, demand, {}, work::Deadline());
+  SearchResult nothing;  // of the two stages
+
+  bool reached = true;
+  for (long look = 2; reached; ++look) {
+    const test::Cut cut(look);
+    const SearchResult result = matcher.matchFrom(nothing, reference, session, demand, {}, cut.deadline());
+    reached = cut.reached();
+    if (look > 30) {  // it has climbed there
+      ASSERT_TRUE(result.found) << "look " << look;
+      EXPECT_EQ(result.hit_cells, whole.hit_cells) << "look " << look;
+    }
+    EXPECT_GE(result.upper_bound, whole.hit_ratio) << "look " << look;
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "map_matcher/belief/judge.hpp"
 #include "map_matcher/belief/place_search.hpp"
@@ -28,8 +29,9 @@ class Matcher {
   }
 
   belief::Answer match(const grid::OccupancyGrid& session, const belief::Circumstances& circumstances,
-                       const work::Deadline& deadline) const {
-    return judge(findPlaces(matcher_, {reference_.get()}, session, options_, {}, deadline), options_, circumstances);
+                       const work::Deadline& deadline, const std::vector<belief::KnownPlace>& starts = {}) const {
+    return judge(findPlaces(matcher_, {reference_.get()}, session, options_, starts, {}, deadline), options_,
+                 circumstances);
   }
 
  private:

@@ -23,6 +23,7 @@ using ReferenceMaps = std::vector<const search::Reference*>;
 struct Plan {
   std::optional<KnownPlace> follow;  ///< The place in use: the whole search only if it does not hold.
   double worth = 0.0;                ///< Of it, when it was last proven or followed.
+  std::vector<KnownPlace> starts{};  ///< Where the whole search begins: search::Demand::starts. The likeliest first.
 };
 
 /// Searches the plan's place, and if that does not hold any more, or there is none, all of `maps`, one after the other,
@@ -32,10 +33,10 @@ Findings findPlaces(const search::MapMatcher& matcher, const ReferenceMaps& maps
                     const MatchOptions& options, const Plan& plan = {}, const search::Constraints& constraints = {},
                     const work::StopToken& stop = {});
 
-/// The whole search alone, with a deadline of the caller's.
+/// The whole search alone, from these starts on, with a deadline of the caller's.
 Findings findPlaces(const search::MapMatcher& matcher, const ReferenceMaps& maps, const grid::OccupancyGrid& session,
-                    const MatchOptions& options, const search::Constraints& constraints,
-                    const work::Deadline& deadline);
+                    const MatchOptions& options, const std::vector<KnownPlace>& starts,
+                    const search::Constraints& constraints, const work::Deadline& deadline);
 
 /// How much less than before a place that is followed may be worth.
 constexpr double kFollowedLoss = 0.1;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "map_matcher/belief/answer.hpp"
 #include "map_matcher/belief/findings.hpp"
@@ -63,7 +64,8 @@ class SessionTracker {
   /// nothing of it is to be broadcast any more: the reason why it does; else "".
   std::string arrive(const SessionMapTraits& traits);
 
-  /// Where the next map is to be looked for first: in the place in use, unless it is time for a proof.
+  /// Where the next map is to be looked for first: in the place in use, unless it is time for a proof; and where its
+  /// whole search begins: in the place in use, and in those of the last map that was searched.
   Plan plan() const;
 
   /// What findPlaces() said of `map`, the one that came last, in `maps`. `robot` is where the robot was in it at the
@@ -91,6 +93,7 @@ class SessionTracker {
                                 const std::optional<Eigen::Vector2d>& robot, std::uint64_t digest) const;
   void hold(Answer& answer) const;
   Broadcast remember(const Findings& findings, const Answer& answer, std::uint64_t digest);
+  void noteStarts(const Findings& findings);
   void forgetDoubts();
 
   /// A place that another map has to confirm.
@@ -105,6 +108,7 @@ class SessionTracker {
   std::optional<Unconfirmed> contender_;  // at odds with the alignment
   std::optional<Unconfirmed> tentative_;  // not likely enough on its own
   std::optional<Prior> prior_;
+  std::vector<KnownPlace> starts_;  // the places of the last map that was searched, the best first
   bool robot_was_lost_ = false;
   double worth_ = 0.0;        // of the alignment, by the last map
   double probability_ = 0.0;  // of the alignment, by the last proof

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
+#include "map_matcher/grid/rigid2.hpp"
 #include "map_matcher/search/search_result.hpp"
 
 namespace map_matcher::search {
@@ -16,6 +18,10 @@ struct Demand {
   /// What a place is worth, at most its hit ratio; empty: its hit ratio. Called from the thread that searches, one call
   /// at a time: once for each place, and once for the place that an exact search begins with.
   std::function<double(const Place&)> worth{};
+  /// Where the session may lie, T_reference_session each, as after an earlier map of it: an exact search begins near
+  /// the one with most hits, unless the two stages' answer has more. What it finds and proves is the same, but sooner,
+  /// which matters where a deadline would have ended it.
+  std::vector<grid::Rigid2> starts{};
 };
 
 }  // namespace map_matcher::search

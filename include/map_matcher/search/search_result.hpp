@@ -80,7 +80,7 @@ struct SearchResult {
 
   bool exact = false;      ///< Whether an exact search, or to follow a place, was asked for; what comes now is theirs.
   bool certified = false;  ///< Whether it is proven that no pose has more hits, or that none has as many as demanded.
-  bool replaced = false;   ///< Whether the exact search found a better place than the two stages.
+  bool replaced = false;   ///< Whether the exact search found a better place than it began with.
   int hit_cells = 0;       ///< Session cells within hit_tolerance of a wall at the pose [cells].
   double hit_ratio = 0.0;  ///< hit_cells / total_cells, which the exact search makes as large as can be.
   double upper_bound = 1.0;           ///< No pose has a larger hit ratio; equal to hit_ratio of a pose when certified.

@@ -8,6 +8,7 @@
 
 #include "../placing.hpp"
 #include "climbing.hpp"
+#include "incumbent.hpp"
 #include "map_matcher/search/exact/exact_search.hpp"
 #include "map_matcher/search/search_frames.hpp"
 #include "map_matcher/work/stopwatch.hpp"
@@ -43,7 +44,7 @@ class Certification {
         rotations_(cells_, range_.first * step_, step_, range_.count, reference.exact().topLevel(),
                    searchThreads(options), deadline),
         placing_(reference, session, options, rotations_),
-        worth_(demand.worth),
+        demand_(demand),
         problem_{reference.exact(), rotations_} {
     const int n = rotations_.numCells();
     problem_.windows = priorWindows();
@@ -57,11 +58,7 @@ class Certification {
   SearchResult run(const SearchResult& answer) {
     result_ = answer;
     result_.total_cells = rotations_.numCells();
-    std::optional<SearchPose> start;
-    if (answer.found) {
-      const CentrePose pose = frames_.centrePose(answer.T_reference_session, cells_.centre);
-      start = climbFrom(pose, cells_.resolution, problem_, deadline_);
-    }
+    const std::optional<SearchPose> start = bestStart(answer);
     if (start) {
       problem_.known_count = start->count;
     }
@@ -78,6 +75,23 @@ class Certification {
   }
 
  private:
+  /// The pose with most hits near the two stages' answer, if they have one, or near one of the caller's places.
+  std::optional<SearchPose> bestStart(const SearchResult& answer) const {
+    std::vector<grid::Rigid2> places = demand_.starts;
+    if (answer.found) {
+      places.push_back(answer.T_reference_session);
+    }
+    std::optional<SearchPose> best;
+    for (const grid::Rigid2& T_reference_session : places) {
+      const std::optional<SearchPose> pose =
+          climbFrom(frames_.centrePose(T_reference_session, cells_.centre), cells_.resolution, problem_, deadline_);
+      if (pose && (!best || better(*pose, *best))) {
+        best = pose;
+      }
+    }
+    return best;
+  }
+
   /// The rotations that the heading prior allows, all of them without one.
   RotationRange allowedRotations() const {
     const int all = static_cast<int>(std::lround(2.0 * M_PI / step_));
@@ -136,8 +150,8 @@ class Certification {
 
   Place judged(const SearchPose& pose) const {
     Place place = placing_.placeOf(pose);
-    if (worth_) {
-      place.worth = worth_(place);
+    if (demand_.worth) {
+      place.worth = demand_.worth(place);
     }
     return place;
   }
@@ -197,9 +211,9 @@ class Certification {
   RotationRange range_;
   RotationBlocks rotations_;
   Placing placing_;
-  const std::function<double(const Place&)>& worth_;
+  const Demand& demand_;
   ExactProblem problem_;
-  SearchPose start_;  // that the two stages' answer led to
+  SearchPose start_;  // that the search begins with
   std::optional<Place> start_place_;
   SearchResult result_;
 };
