@@ -140,13 +140,16 @@ class ExactSearch {
 
   std::int32_t bestThreshold() const { return std::max({1, problem_.min_count, problem_.known_count}); }
 
-  /// What the first initial nodes reach. Where a pose is known, they serve the searches for other places as well.
+  /// What the first initial nodes reach. Where the pose that is known is likely to be the best, they serve the searches
+  /// for other places as well. It hardly is where it is worth much less than its matched cells: then there are far more
+  /// nodes as good as its runner-up than as good as that of the best.
   std::int32_t firstThreshold() const {
     const std::int32_t best = bestThreshold();
-    if (problem_.known_count < problem_.min_count || problem_.most_places < 2) {
+    const double worth = problem_.known_worth.value_or(best);
+    if (problem_.known_count < problem_.min_count || problem_.most_places < 2 ||
+        worth < best - problem_.runner_up_gap / 2.0) {
       return best;
     }
-    const double worth = problem_.known_worth.value_or(best);
     return std::min({best, runnerUpThreshold(best), problem_.most_places > 2 ? thresholdFor(worth) : best});
   }
 
