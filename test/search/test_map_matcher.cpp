@@ -114,12 +114,18 @@ TEST(Places, AreTheSameWhereverTheSearchBegins) {
     Demand demand;
     demand.min_hit_ratio = 0.3;
     demand.margin = 0.3;
+    if (seed % 3 == 0) {  // the evidence speaks against the copies
+      demand.worth = [](const Place& place) {
+        return place.hit_ratio - (place.T_reference_session.x > 7.0 ? 0.3 : 0.0);
+      };
+    }
     Demand with_starts = demand;
     const grid::Rigid2& truth = buildings.truth;
-    with_starts.starts = {{truth.x + 10.0, truth.y, truth.yaw},
-                          {truth.x + 0.07, truth.y - 0.05, truth.yaw + 0.01},
-                          {4.0, 3.0, -2.0},
-                          {1e12, -1e12, 100.0}};
+    with_starts.starts = {{truth.x + 10.0, truth.y, truth.yaw}};
+    if (seed % 2 == 0) {
+      with_starts.starts.push_back({truth.x + 0.07, truth.y - 0.05, truth.yaw + 0.01});
+      with_starts.starts.push_back({1e12, -1e12, 100.0});
+    }
 
     const SearchResult plain = buildings.match(demand, options);
     const SearchResult begun = buildings.match(with_starts, options);
