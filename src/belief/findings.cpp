@@ -37,6 +37,12 @@ double leadOf(const Findings& findings) {
   return findings.candidates.empty() ? 0.0 : leadOver(findings.candidates.front(), rivalsOf(findings));
 }
 
+double provenLeadOf(const Findings& findings) {
+  return findings.candidates.empty()
+             ? -1.0
+             : findings.candidates.front().worth - std::max(rivalsOf(findings).worth, findings.elsewhere_worth);
+}
+
 double worthOf(double hit_ratio, const FreeSpace& space) {
   return hit_ratio - kSeenThroughWeight * space.throughShare();
 }
@@ -53,6 +59,7 @@ Findings rank(const std::vector<search::SearchResult>& results, std::vector<Cand
     findings.search.certified = findings.search.certified && result.certified;
     findings.search.upper_bound = std::max(findings.search.upper_bound, result.upper_bound);
   }
+  findings.elsewhere_worth = findings.elsewhere_bound;
   findings.results = results;
   findings.candidates = std::move(candidates);
   if (findings.candidates.empty()) {

@@ -17,6 +17,12 @@ std::string hitsText(const search::SearchResult& result, const MatchOptions& opt
   return out.str();
 }
 
+std::string noneCloserText(const search::SearchResult& result) {
+  std::ostringstream out;
+  out << "no place elsewhere comes closer to its ratio than " << result.margin;
+  return out.str();
+}
+
 std::string elsewhereText(const search::SearchResult& result) {
   std::ostringstream out;
   if (result.runner_up) {
@@ -25,7 +31,7 @@ std::string elsewhereText(const search::SearchResult& result) {
         << ", " << search::difference(result.T_reference_session, elsewhere, result.session_centre).distance
         << " m away, has a ratio of " << result.runner_up->ratio;
   } else {
-    out << "no place elsewhere comes closer to its ratio than " << result.margin;
+    out << noneCloserText(result);
   }
   return out.str();
 }
@@ -120,6 +126,10 @@ Evidence marginEvidence(const Findings& findings, const MatchOptions& options, b
   }
   const bool rivalled = isRivalled(findings, options.belief);
   if (!rivalled && result.runner_up_proven && result.margin >= limit - kRounding) {
+    return evidence;
+  }
+  if (!rivalled && provenLeadOf(findings) >= limit - kRounding) {  // whatever else there is
+    evidence.text = noneCloserText(result);
     return evidence;
   }
   if (follows) {

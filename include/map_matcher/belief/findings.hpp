@@ -25,9 +25,10 @@ struct Findings {
   /// and runner_up_proven are about what the candidates are worth instead of their hits. Of a search without proof: as
   /// it was.
   search::SearchResult search;
-  std::size_t map = 0;                          ///< The number of that reference map.
-  std::vector<Candidate> candidates{};          ///< Those of an exact search, the one worth most first.
-  double elsewhere_bound = 1.0;                 ///< No other place in any of the maps is worth more; proven.
+  std::size_t map = 0;                  ///< The number of that reference map.
+  std::vector<Candidate> candidates{};  ///< Those of an exact search, the one worth most first.
+  double elsewhere_bound = 1.0;         ///< No other place in any of the maps is worth more; proven.
+  double elsewhere_worth = 1.0;         ///< The same with what is known beside the map, as the candidates have it.
   std::vector<search::SearchResult> results{};  ///< Of all the reference maps, by their numbers; of an exact search.
   bool followed = false;                        ///< Whether only the place in use was looked at, without a proof.
 };
@@ -39,6 +40,10 @@ double worthOf(double hit_ratio, const FreeSpace& space);
 /// By how much the first candidate is ahead of all others: in what it is worth, or in hits if that is more, since walls
 /// that a session sees through everywhere, as in a map that is out of date, tell no place from another.
 double leadOf(const Findings& findings);
+
+/// By how much the first candidate is at least worth more than any other place, found or not; below 0 when it may be
+/// worth less.
+double provenLeadOf(const Findings& findings);
 
 /// The findings in one map after the other: `results` and the candidates in them, the one worth most first, and what
 /// follows from that for margin and runner-up. `margin` is search::Demand::margin.

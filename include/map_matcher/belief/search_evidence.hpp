@@ -21,8 +21,9 @@ Evidence proofEvidence(const search::SearchResult& result, const MatchOptions& o
 /// "hit_ratio", held against min_hit_ratio. Against the place (kBelowAcceptanceRatio) when there is none, proven.
 Evidence hitEvidence(const search::SearchResult& result, const MatchOptions& options);
 
-/// "margin", by how much the place is worth more than the best place elsewhere, held against min_margin. Against the
-/// place when a place elsewhere is too near (kAmbiguous), or none is known to be but that is not proven
+/// "margin", by how much the place is worth more than the best place elsewhere, held against min_margin. For the place
+/// as well when the search for others did not come to its end, but none of them, found or not, can be too near. Against
+/// it when a place elsewhere is too near (kAmbiguous), or none is known to be but that is not proven
 /// (kNotCertified); silent instead where the place is that of an earlier map (`follows`).
 Evidence marginEvidence(const Findings& findings, const MatchOptions& options, bool follows);
 
