@@ -111,7 +111,7 @@ Evidence hitEvidence(const search::SearchResult& result, const MatchOptions& opt
   if (result.hit_cells < search::minCount(limit, result.total_cells)) {
     evidence.bearing = Bearing::kSilent;  // a better one may be there
   }
-  evidence.text = hitsText(result, options) + (result.replaced ? ", a better place than that of the two stages" : "");
+  evidence.text = hitsText(result, options) + (result.replaced ? ", a better place than the search began with" : "");
   return evidence;
 }
 
