@@ -102,16 +102,17 @@ Findings SessionTracker::weigh(const Findings& findings) const {
   }
   std::vector<Candidate> candidates = findings.candidates;
   const Eigen::Vector2d& centre = findings.search.session_centre;
-  // A place that was not found may be the one in use, or meant as well as one that was.
-  double unseen = (alignment_ ? options_.belief.min_margin : 0.0) + (prior_ ? kPriorWorth : 0.0);
+  bool found_in_use = false;
   for (Candidate& candidate : candidates) {
     const bool in_use = alignment_ && isAt(candidate, centre, *alignment_, options_.search);
     const bool meant = prior_ && agrees(*prior_, {candidate.place.T_reference_session, candidate.map});
     candidate.worth += (in_use ? options_.belief.min_margin : 0.0) + (meant ? kPriorWorth : 0.0);
-    unseen = in_use ? (prior_ ? kPriorWorth : 0.0) : unseen;
+    found_in_use = found_in_use || in_use;
   }
   Findings weighed = rank(findings.results, std::move(candidates), demandOf(options_).margin);
-  weighed.elsewhere_worth += unseen;
+  // A place that was not found may be the one in use, or meant as well as one that was.
+  weighed.elsewhere_worth +=
+      (alignment_ && !found_in_use ? options_.belief.min_margin : 0.0) + (prior_ ? kPriorWorth : 0.0);
   return weighed;
 }
 
